@@ -7,8 +7,15 @@ option(PAVIOR_BUILD_TESTS "Tests" ${PROJECT_IS_TOP_LEVEL})
 option(PAVIOR_BUILD_EXAMPLES "Examples" ${PROJECT_IS_TOP_LEVEL})
 option(PAVIOR_BUILD_BENCH "Benchmarks" OFF)
 option(PAVIOR_INSTALL "Install rules" ${PROJECT_IS_TOP_LEVEL})
-option(PAVIOR_WARNINGS_AS_ERRORS "Our own CI: every warning is an error" OFF)
+option(PAVIOR_WARNINGS_AS_ERRORS "Our own CI: warnings on, and every one an error" OFF)
 
+if(PAVIOR_BUILD_CLI AND NOT (PAVIOR_BUILD_IO AND PAVIOR_BUILD_CAD))
+  message(FATAL_ERROR "PAVIOR_BUILD_CLI needs PAVIOR_BUILD_IO and PAVIOR_BUILD_CAD")
+endif()
+
+# Flags of our own sources, never of those who use pavior.
+set(PAVIOR_WARNING_FLAGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
 add_library(pavior_warnings INTERFACE)
-target_compile_options(pavior_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
-                                                 $<$<BOOL:${PAVIOR_WARNINGS_AS_ERRORS}>:-Werror>)
+if(PAVIOR_WARNINGS_AS_ERRORS)
+  target_compile_options(pavior_warnings INTERFACE ${PAVIOR_WARNING_FLAGS})
+endif()

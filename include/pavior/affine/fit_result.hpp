@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <string_view>
@@ -83,6 +84,12 @@ struct AffineFit {
 };
 
 namespace detail {
+
+/// Canonical correlations at or below this are zero.
+template <class Scalar>
+[[nodiscard]] Scalar unrelated_threshold(const FitOptions& options) {
+    return std::max(static_cast<Scalar>(options.unrelated), 64 * std::numeric_limits<Scalar>::epsilon());
+}
 
 /// A fit whose map is NaN throughout.
 template <class Scalar, int N>

@@ -32,6 +32,9 @@ enum class ErrorCode : std::uint8_t {
     unreadable_file,          ///< a file that cannot be opened, parsed or written
     cad_failure,              ///< the CAD kernel or surface mesher refused
     infeasible_intervals,     ///< no assignment of edge divisions satisfies all faces
+    inverted_cell,            ///< a quad or hexahedron that is folded somewhere
+    duplicate_node,           ///< two nodes in one place
+    volume_mismatch,          ///< the cells and their boundary enclose different volumes
     not_sweepable,            ///< the solid breaks a condition of section 2.1 \cite roca2009
 };
 
@@ -57,6 +60,9 @@ enum class ErrorCode : std::uint8_t {
         case ErrorCode::unreadable_file: return "unreadable_file";
         case ErrorCode::cad_failure: return "cad_failure";
         case ErrorCode::infeasible_intervals: return "infeasible_intervals";
+        case ErrorCode::inverted_cell: return "inverted_cell";
+        case ErrorCode::duplicate_node: return "duplicate_node";
+        case ErrorCode::volume_mismatch: return "volume_mismatch";
         case ErrorCode::not_sweepable: return "not_sweepable";
     }
     return "unknown";

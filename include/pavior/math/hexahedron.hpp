@@ -154,7 +154,7 @@ struct HexMetrics {
     bool collapsed = false;
     const auto scaled = [&](const Jacobian& j, double det) {
         const double lengths = std::sqrt(j.col(0).squaredNorm() * j.col(1).squaredNorm() * j.col(2).squaredNorm());
-        collapsed |= !(lengths > 0.0);
+        collapsed |= !(lengths > 0.0) || !std::isfinite(det);
         jacobian = std::min(jacobian, det / lengths);
     };
     for (std::size_t c = 0; c < 8; ++c) {

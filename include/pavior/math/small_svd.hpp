@@ -45,6 +45,7 @@ template <class Scalar, int R, int C>
 #define PAVIOR_SMALL_SVD_SIZES(apply, Scalar) \
     apply(Scalar, 2, 2) apply(Scalar, 3, 3) apply(Scalar, 4, 4) apply(Scalar, 4, 2) apply(Scalar, 6, 3) \
         apply(Scalar, 8, 4) apply(Scalar, 1, 1) apply(Scalar, 4, 1) apply(Scalar, 6, 2) apply(Scalar, 8, 3) \
+            apply(Scalar, 5, 2) apply(Scalar, 7, 3) apply(Scalar, 9, 4) \
             apply(Scalar, Eigen::Dynamic, Eigen::Dynamic)
 #ifdef PAVIOR_COMPILED_MATH
 #define PAVIOR_EXTERN_SVD(Scalar, R, C) \

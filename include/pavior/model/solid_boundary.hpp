@@ -5,10 +5,10 @@
 #include <pavior/core/error.hpp>
 #include <pavior/model/face_corners.hpp>
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,7 +17,7 @@ namespace pavior {
 /// The boundary of a solid in arrays, independent of the model it was read from.
 ///
 /// A half-edge is an edge as one face uses it, in the sense of the face's loop seen from outside the solid
-/// (counter-clockwise). Each edge has exactly two half-edges, of opposite senses; those of a seam belong to one face.
+/// (counter-clockwise). Edges without length (poles, tips) are left out. Each other edge has exactly two half-edges, of opposite senses; those of a seam belong to one face.
 /// Half-edges of a loop are consecutive; faces are in the order of the model's solid_faces.
 struct SolidBoundary {
     struct HalfEdge {
@@ -59,6 +59,29 @@ struct SolidBoundary {
 };
 
 namespace detail {
+
+/// The edges of \p solid of no length (poles of spheres, tips of cones), which bound nothing.
+template <brep B>
+[[nodiscard]] std::set<EdgeId> degenerate_edges(const B& b, SolidId solid) {
+    std::map<EdgeId, double> lengths;
+    double longest = 0.0;
+    for (const OrientedFace& f : b.solid_faces(solid)) {
+        for (const EdgeLoop& loop : b.face_loops(f.face)) {
+            for (const OrientedEdge& use : loop) {
+                const double length = lengths.emplace(use.edge, b.edge_length(use.edge)).first->second;
+                longest = std::max(longest, length);
+            }
+        }
+    }
+    std::set<EdgeId> result;
+    for (const auto& [edge, length] : lengths) {
+        const auto ends = b.edge_vertices(edge);
+        if (length <= 1e-10 * longest && ends[0] == ends[1]) {
+            result.insert(edge);
+        }
+    }
+    return result;
+}
 
 /// Appends one loop as seen from outside.
 template <brep B>
@@ -115,13 +138,15 @@ template <brep B>
     SolidBoundary boundary;
     boundary.solid = solid;
     boundary.tag = b.tag(3, solid.index());
+    const std::set<EdgeId> degenerate = detail::degenerate_edges(b, solid);
     for (const OrientedFace& f : b.solid_faces(solid)) {
         const std::size_t face = boundary.faces.size();
         boundary.faces.emplace_back();
         boundary.faces[face].face = f;
         boundary.faces[face].tag = b.tag(2, f.face.index());
         boundary.faces[face].begin = boundary.half_edges.size();
-        for (const EdgeLoop& loop : b.face_loops(f.face)) {
+        for (EdgeLoop loop : b.face_loops(f.face)) {
+            std::erase_if(loop, [&](const OrientedEdge& use) { return degenerate.contains(use.edge); });
             if (!loop.empty()) {
                 detail::add_half_edges(b, boundary, face, loop);
             }

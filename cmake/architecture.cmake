@@ -1,0 +1,29 @@
+# Which room may include which; read by check_architecture.cmake (a test) and architecture_graph.cmake (the docs).
+set(rooms core math mesh affine smooth sweep model cad io)
+set(may_include_core "")
+set(may_include_math core)
+set(may_include_mesh core math)
+set(may_include_affine core math mesh)
+set(may_include_smooth core math mesh)
+set(may_include_sweep core math mesh affine smooth)
+set(may_include_model core math mesh affine smooth sweep)
+set(may_include_cad core math mesh affine smooth sweep model)
+set(may_include_io core math mesh affine smooth sweep model)
+
+# Sources: src/<room> includes what the public room includes, that room, and these folders of src.
+set(source_rooms common math cad io cli)
+set(may_include_src_common core)
+set(may_include_src_math core math)
+set(may_include_src_cad ${may_include_cad} cad src_common)
+set(may_include_src_io ${may_include_io} io src_common)
+set(may_include_src_cli ${rooms})
+
+# Foreign headers, as regular expressions. Public headers know the standard library and Eigen (never all of it), with
+# one exception; each source folder knows its own packages.
+set(foreign_everywhere "[a-z_0-9]+" "Eigen/(Cholesky|Core|Eigenvalues|Geometry|Householder|LU|QR|SVD|Sparse[A-Za-z]*|Iter[A-Za-z]*|Jacobi)")
+set(foreign_in_mesh/cgal_access.hpp "CGAL/.*")
+set(foreign_in_src_common "gmsh\\.h")
+set(foreign_in_src_math "")
+set(foreign_in_src_cad "gmsh\\.h|glpk\\.h|nlohmann/json\\.hpp|unistd\\.h")
+set(foreign_in_src_io "gmsh\\.h|vtk[A-Za-z]*\\.h|unistd\\.h")
+set(foreign_in_src_cli "CLI/.*|nlohmann/json\\.hpp|unistd\\.h|sys/[a-z]*\\.h")

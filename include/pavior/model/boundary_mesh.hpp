@@ -1,0 +1,113 @@
+#pragma once
+/// \file
+/// The mesh of the vertices, edges and faces of a CAD model. Entities own their nodes, so that solids which share a
+/// face, an edge or a vertex share its nodes: conformity is by construction.
+
+#include <pavior/core/assert.hpp>
+#include <pavior/mesh/cells.hpp>
+#include <pavior/model/brep.hpp>
+#include <pavior/model/edge_mesh.hpp>
+#include <pavior/model/sweep_topology.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace pavior {
+
+/// "No node".
+inline constexpr Index no_node = std::numeric_limits<Index>::max();
+
+/// Nodes of one edge, in the sense of its parameter; both ends included. Empty if not meshed.
+struct EdgeNodes {
+    std::vector<Index> nodes;       ///< ids in BoundaryMesh::nodes
+    std::vector<double> parameters;  ///< one a node
+};
+
+/// Mesh of one face. Empty if not meshed.
+struct FaceMesh {
+    std::vector<Index> nodes;        ///< ids in BoundaryMesh::nodes; a closed structured face names its seam's nodes twice
+    std::vector<Vec2> uv;            ///< parameters of the nodes on the face
+    std::vector<QuadCorners> quads;  ///< positions in `nodes`, counter-clockwise about the face's own normal
+    int columns = 0;                 ///< intervals of a structured face: node (i, k) is nodes[k * (columns + 1) + i];
+    int rows = 0;                    ///< 0 for an unstructured one
+
+    [[nodiscard]] bool empty() const { return quads.empty(); }
+    [[nodiscard]] bool structured() const { return columns > 0; }
+};
+
+/// Nodes and cells of the boundary of a model, in arrays by entity id.
+struct BoundaryMesh {
+    std::vector<Vec3> nodes;
+    std::vector<Index> vertices;  ///< node of each vertex, no_node if not meshed
+    std::vector<EdgeNodes> edges;
+    std::vector<FaceMesh> faces;
+
+    [[nodiscard]] Index add_node(const Vec3& x) {
+        nodes.push_back(x);
+        return static_cast<Index>(nodes.size() - 1);
+    }
+};
+
+/// Meshes every edge whose entry of \p intervals (by edge id) is positive. Nodes lie at equal arc length, or at
+/// `fractions[e]` of it where that is not empty (0, ..., 1, one more than the intervals).
+template <brep B>
+[[nodiscard]] BoundaryMesh mesh_edges(const B& b, std::span<const int> intervals,
+                                      std::span<const std::vector<double>> fractions = {}) {
+    BoundaryMesh mesh;
+    mesh.vertices.assign(b.vertex_count(), no_node);
+    mesh.edges.resize(b.edge_count());
+    mesh.faces.resize(b.face_count());
+    const auto vertex = [&](VertexId v) {
+        Index& at = mesh.vertices[v.index()];
+        if (at == no_node) {
+            at = mesh.add_node(b.vertex_point(v));
+        }
+        return at;
+    };
+    for (std::size_t i = 0; i < intervals.size(); ++i) {
+        if (intervals[i] <= 0) {
+            continue;
+        }
+        const EdgeId e{static_cast<std::int32_t>(i)};
+        EdgeNodes& edge = mesh.edges[i];
+        const bool given = !fractions.empty() && !fractions[i].empty();
+        edge.parameters = edge_parameters(b, e, given ? fractions[i] : equal_fractions(intervals[i]));
+        const auto ends = b.edge_vertices(e);
+        edge.nodes.push_back(vertex(ends[0]));
+        for (std::size_t k = 1; k + 1 < edge.parameters.size(); ++k) {
+            edge.nodes.push_back(mesh.add_node(b.edge_point(e, edge.parameters[k])));
+        }
+        edge.nodes.push_back(vertex(ends[1]));
+    }
+    return mesh;
+}
+
+/// Nodes of a chain of edges with their parameters on \p face.
+struct ChainNodes {
+    std::vector<Index> nodes;  ///< one more than the intervals of the chain
+    std::vector<Vec2> uv;      ///< as the model gives them: they may jump by periods of the face
+};
+
+/// Reads the nodes of \p chain as the boundary of \p face. \p along: whether the chain runs along the face's loop as
+/// the face itself sees it (true) or against it (false); it decides the side of a seam.
+template <brep B>
+[[nodiscard]] ChainNodes chain_nodes(const B& b, const BoundaryMesh& mesh, std::span<const OrientedEdge> chain,
+                                     FaceId face, bool along) {
+    ChainNodes result;
+    for (const OrientedEdge& use : chain) {
+        const EdgeNodes& edge = mesh.edges[use.edge.index()];
+        PAVIOR_ASSERT(!edge.nodes.empty());
+        const std::size_t n = edge.nodes.size();
+        for (std::size_t i = result.nodes.empty() ? 0 : 1; i < n; ++i) {
+            const std::size_t k = use.forward ? i : n - 1 - i;
+            result.nodes.push_back(edge.nodes[k]);
+            result.uv.push_back(b.edge_on_face(use.edge, edge.parameters[k], face, use.forward == along));
+        }
+    }
+    return result;
+}
+
+}  // namespace pavior

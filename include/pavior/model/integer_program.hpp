@@ -1,0 +1,72 @@
+#pragma once
+/// \file
+/// Small mixed-integer linear programs as plain data. The solver is a compiled part (pavior::cad, by GLPK).
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pavior {
+
+/// No bound.
+inline constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// minimise sum cost_j x_j subject to lower_j <= x_j <= upper_j, lower_i <= sum a_ij x_j <= upper_i, x_j integer where
+/// asked for.
+struct IntegerProgram {
+    struct Variable {
+        double lower = 0.0;
+        double upper = unbounded;
+        double cost = 0.0;
+        bool integer = true;
+        std::string name;  ///< for messages; may be empty
+    };
+    struct Row {
+        double lower = -unbounded;
+        double upper = unbounded;
+        std::vector<std::pair<std::size_t, double>> terms;  ///< variable and coefficient, each variable at most once
+        std::string name;
+    };
+
+    std::vector<Variable> variables;
+    std::vector<Row> rows;
+
+    /// Appends a variable and returns its index.
+    std::size_t add(Variable variable) {
+        variables.push_back(std::move(variable));
+        return variables.size() - 1;
+    }
+};
+
+enum class ProgramStatus : std::uint8_t {
+    optimal,     ///< proven within the gap asked for
+    feasible,    ///< a solution, but the time or the solver's strength was used up before the proof
+    infeasible,  ///< proven: there is none
+    unbounded,   ///< the objective can be made as small as one likes
+    unsolved     ///< neither a solution nor a proof
+};
+
+struct IntegerSolution {
+    ProgramStatus status = ProgramStatus::unsolved;
+    double objective = 0.0;
+    std::vector<double> values;  ///< per variable, integers exact; empty unless optimal or feasible
+
+    [[nodiscard]] bool found() const { return status == ProgramStatus::optimal || status == ProgramStatus::feasible; }
+};
+
+struct IntegerProgramOptions {
+    double seconds = 60.0;        ///< limit of time; the result is deterministic as long as it is not reached
+    double relative_gap = 1e-9;   ///< accept a solution this close to the bound, relative to the objective
+};
+
+/// Solves by branch and bound (GLPK). Silent; never ends the process. Deterministic unless the time limit strikes.
+/// Implemented in pavior::cad. Not to be called from several threads at once unless GLPK is built with thread-local
+/// storage (Debian's is).
+/// \throws InputError bad_index for a term that names no variable or names one twice in a row, not_finite for NaN or
+/// infinite costs or coefficients, bad_option for options that are not positive (relative_gap may be 0).
+[[nodiscard]] IntegerSolution solve(const IntegerProgram& program, const IntegerProgramOptions& options = {});
+
+}  // namespace pavior

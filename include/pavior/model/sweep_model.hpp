@@ -1,0 +1,156 @@
+#pragma once
+/// \file
+/// Sweeps all solids of a CAD model into one conforming hexahedral mesh.
+
+#include <pavior/core/progress.hpp>
+#include <pavior/mesh/span_mesh.hpp>
+#include <pavior/model/cap_order.hpp>
+#include <pavior/model/mesh_linking_side.hpp>
+#include <pavior/model/sweep_solid.hpp>
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pavior {
+
+struct ModelSweepOptions {
+    SolidSweepOptions solid;
+    /// Fractions of arc length of the nodes of each edge (by edge id, 0 .. 1); empty: equal arc length.
+    std::span<const std::vector<double>> edge_fractions{};
+    Progress progress = {};
+};
+
+/// What became of one solid.
+struct SolidReport {
+    SolidId solid;
+    FaceId source, target;  ///< as swept: the source is where the quads come from
+    std::size_t first_hex = 0, hex_count = 0;
+    std::size_t layers = 0;
+    SweepReport sweep;
+    std::optional<TargetReport> target_projection;
+    SmoothReport smooth;
+};
+
+/// Hexahedra of a model with their entities. Nodes of the first solid come level by level in the order of its source;
+/// those of each further solid follow in the same way, as far as they are new. Hexahedra come solid by solid, layer by
+/// layer, in the order of the quads of the source.
+struct ModelMesh {
+    HexMesh mesh;
+    std::vector<SolidId> hex_solid;        ///< one a hexahedron
+    std::vector<QuadCorners> quads;        ///< mesh of the faces, by face, about the face's own normal
+    std::vector<FaceId> quad_face;         ///< one a quad
+    std::vector<SolidReport> solids;       ///< in the order of meshing
+    std::vector<LinkingFaceReport> sides;  ///< linking sides
+};
+
+namespace detail {
+
+/// Numbers nodes in the order in which they are first used.
+class Renumbering {
+public:
+    Renumbering(const BoundaryMesh& mesh, std::vector<Vec3>& nodes) : mesh_(mesh), nodes_(nodes) {
+        number_.assign(mesh.nodes.size(), no_node);
+    }
+    Index operator()(Index id) {
+        if (number_[id] == no_node) {
+            number_[id] = static_cast<Index>(nodes_.size());
+            nodes_.push_back(mesh_.nodes[id]);
+        }
+        return number_[id];
+    }
+
+private:
+    const BoundaryMesh& mesh_;
+    std::vector<Vec3>& nodes_;
+    std::vector<Index> number_;
+};
+
+/// Appends the hexahedra of one solid.
+inline void append_solid(ModelMesh& result, const SolidMesh& solid, SolidId id, Renumbering& number) {
+    std::vector<Index> ids;
+    ids.reserve(solid.nodes.size());
+    for (const Index node : solid.nodes) {
+        ids.push_back(number(node));
+    }
+    for (std::size_t k = 0; k < solid.layers; ++k) {
+        const std::size_t below = k * solid.level_size;
+        const std::size_t above = below + solid.level_size;
+        for (const QuadCorners& q : solid.quads) {
+            result.mesh.hexes.push_back({ids[below + q[0]], ids[below + q[1]], ids[below + q[2]], ids[below + q[3]],
+                                         ids[above + q[0]], ids[above + q[1]], ids[above + q[2]], ids[above + q[3]]});
+            result.hex_solid.push_back(id);
+        }
+    }
+}
+
+inline void append_faces(ModelMesh& result, const BoundaryMesh& mesh, Renumbering& number) {
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        for (const QuadCorners& q : mesh.faces[f].quads) {
+            const std::vector<Index>& ids = mesh.faces[f].nodes;
+            result.quads.push_back({number(ids[q[0]]), number(ids[q[1]]), number(ids[q[2]]), number(ids[q[3]])});
+            result.quad_face.push_back(FaceId{static_cast<std::int32_t>(f)});
+        }
+    }
+}
+
+/// Meshes the linking sides of all sweeps, each face once.
+template <brep B>
+void mesh_linking_sides(const B& b, BoundaryMesh& mesh, std::span<const SweepTopology> sweeps, bool smooth,
+                        ModelMesh& result) {
+    for (const SweepTopology& sweep : sweeps) {
+        for (const std::vector<LinkingSide>& loop : sweep.loops) {
+            for (const LinkingSide& side : loop) {
+                if (mesh.faces[side.face.index()].empty()) {
+                    result.sides.push_back(mesh_linking_side(b, mesh, side, smooth));
+                }
+            }
+        }
+    }
+}
+
+}  // namespace detail
+
+/// Meshes the solids of \p sweeps (one topology a solid, see recognition.hpp) with the numbers of \p intervals (by edge
+/// id, see intervals.hpp): edges, linking sides, caps in an order that meshes shared faces once, levels. Entities own
+/// their nodes, so the result conforms across shared faces. \p mesher makes the quads of the free caps.
+/// The result is not verified; use verify_hexes(). Deterministic if the model and the mesher are.
+/// \throws UnmeshableError naming faces where neighbours need different meshes on a shared face; what \p mesher throws;
+/// InputError where a boundary admits no sweep (see verify_problem())
+template <brep B, cap_mesher M>
+[[nodiscard]] ModelMesh sweep_model(const B& b, std::span<const SweepTopology> sweeps, std::span<const int> intervals,
+                                    M&& mesher, const ModelSweepOptions& options = {}) {
+    ModelMesh result;
+    report(options.progress, "edges", 0);
+    BoundaryMesh mesh = mesh_edges(b, intervals, options.edge_fractions);
+    report(options.progress, "linking sides", 0.05);
+    detail::mesh_linking_sides(b, mesh, sweeps, options.solid.smooth, result);
+    const auto meshed = [&](FaceId f) { return !mesh.faces[f.index()].empty(); };
+    const std::vector<SweepStep> steps = cap_order(sweeps, meshed);
+    std::vector<SolidMesh> solids;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const double done = 0.2 + 0.8 * static_cast<double>(i) / static_cast<double>(steps.size());
+        const SweepTopology& given = sweeps[steps[i].sweep];
+        const SweepTopology sweep = steps[i].backwards ? reversed(given) : given;
+        if (!meshed(sweep.source)) {
+            report(options.progress, "caps", done);
+            mesh_cap_face(b, mesh, sweep.source, mesher);
+        }
+        report(options.progress, "layers", done);
+        SolidMesh solid = sweep_solid(b, mesh, sweep, intervals, options.solid);
+        result.solids.push_back({sweep.solid, sweep.source, sweep.target, 0, solid.layers * solid.quads.size(),
+                                 solid.layers, solid.sweep, solid.target, solid.smooth});
+        solids.push_back(std::move(solid));
+    }
+    detail::Renumbering number(mesh, result.mesh.nodes);
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+        result.solids[i].first_hex = result.mesh.hexes.size();
+        detail::append_solid(result, solids[i], result.solids[i].solid, number);
+    }
+    detail::append_faces(result, mesh, number);
+    report(options.progress, "done", 1);
+    return result;
+}
+
+}  // namespace pavior

@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// Untangles and optimises hexahedra, boundary fixed.
+
+#include <pavior/math/point.hpp>
+#include <pavior/mesh/cells.hpp>
+#include <pavior/smooth/cartesian_model.hpp>
+#include <pavior/smooth/options.hpp>
+#include <pavior/smooth/report.hpp>
+
+#include <cstdint>
+#include <span>
+
+namespace pavior {
+
+/// Moves nodes until no hexahedron is inverted: the tetrahedra of its eight corners and the Jacobian at its centre are
+/// positive (options.positivity: at 27 points). As untangle_quads(), one dimension up, \cite garanzha2021.
+///
+/// Only what needs to be moved is moved: a mesh without inverted hexahedra is returned as it is (unless
+/// options.always), and otherwise the nodes round the inverted ones are freed ring by ring. Never worse than the input:
+/// the number of inverted hexahedra does not grow, and with options.always the smallest determinant does not shrink.
+/// \param nodes      coordinates, in and out. Any unit: the result scales and moves with the input (up to rounding).
+/// \param hexes      corners, numbered as HexCorners.
+/// \param fixed      one flag per node; 0: may move. Fixed nodes do not change by a bit. As a rule the boundary.
+/// \param reference  empty, or one point per node: the shape each hexahedron should take; any scale. Empty: cubes of
+///                   the mean volume. Corners that are degenerate or inverted in it count as those of cubes.
+/// \return the report. A hexahedron with an inverted corner between fixed nodes cannot be repaired: it is reported.
+/// \throws InputError size_mismatch, bad_index, not_finite, bad_option. The nodes are untouched then.
+/// O(hexahedra) plus O(nodes freed) per iteration; about 300 bytes per hexahedron freed. The result does not depend on
+/// options.execution. Not to be called on one mesh from two threads.
+inline SmoothReport untangle_hexes(std::span<Vec3> nodes, std::span<const HexCorners> hexes,
+                                   std::span<const std::uint8_t> fixed, const UntangleOptions& options = {},
+                                   std::span<const Vec3> reference = {}) {
+    return detail::untangle_cartesian<3>(nodes, hexes, fixed, options, reference);
+}
+
+}  // namespace pavior

@@ -1,0 +1,147 @@
+#pragma once
+/// \file
+/// Folded quads of a mesh on a parametric surface, in a parameter plane, or on a structured grid in space.
+
+#include <pavior/math/parametric_surface.hpp>
+#include <pavior/math/point.hpp>
+#include <pavior/math/quadrilateral.hpp>
+#include <pavior/mesh/cells.hpp>
+#include <pavior/sweep/transfinite.hpp>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace pavior {
+
+/// A quad is folded if the scaled determinant (sine of the angle) of one of its corners is not above this.
+inline constexpr double folded_determinant = 1e-12;
+
+namespace detail {
+
+template <class Points>
+[[nodiscard]] bool folded(const Points& x, const std::array<double, 4>& areas) {
+    for (std::size_t c = 0; c < 4; ++c) {
+        const double lengths = (x[(c + 1) % 4] - x[c]).norm() * (x[(c + 3) % 4] - x[c]).norm();
+        if (!(areas[c] > folded_determinant * lengths)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+template <class P>
+[[nodiscard]] std::array<P, 4> gather(std::span<const P> nodes, const QuadCorners& q) {
+    return {nodes[q[0]], nodes[q[1]], nodes[q[2]], nodes[q[3]]};
+}
+
+/// du x dv of length 1; null where the parametrisation is singular.
+template <parametric_surface S>
+[[nodiscard]] Vec3 unit_surface_normal(const S& surface, const Vec2& uv) {
+    const auto d = surface.derivatives(uv);
+    const Vec3 du = d.first;
+    const Vec3 dv = d.second;
+    const Vec3 normal = du.cross(dv);
+    const double length = normal.norm();
+    return length > 1e-12 * du.norm() * dv.norm() ? Vec3(normal / length) : Vec3(Vec3::Zero());
+}
+
+/// The normal in the middle of a quad, its corners' where the middle is singular; null if there is none.
+template <parametric_surface S>
+[[nodiscard]] Vec3 quad_surface_normal(const S& surface, const std::array<Vec2, 4>& uv) {
+    Vec3 normal = unit_surface_normal(surface, 0.25 * (uv[0] + uv[1] + uv[2] + uv[3]));
+    if (normal == Vec3::Zero()) {
+        for (const Vec2& p : uv) {
+            normal += unit_surface_normal(surface, p);
+        }
+    }
+    const double length = normal.norm();
+    return length > 0.0 ? Vec3(normal / length) : normal;
+}
+
+}  // namespace detail
+
+/// Signed area of a closed polygon, positive if it runs counter-clockwise. O(n).
+[[nodiscard]] inline double signed_area(std::span<const Vec2> polygon) {
+    double twice = 0.0;
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+        const Vec2 a = polygon[i] - polygon[0];
+        const Vec2 b = polygon[i + 1] - polygon[0];
+        twice += a.x() * b.y() - a.y() * b.x();
+    }
+    return 0.5 * twice;
+}
+
+/// Ids of the quads folded in the plane; they should run counter-clockwise, clockwise if \p reversed. O(quads).
+[[nodiscard]] inline std::vector<Index> folded_plane_quads(std::span<const Vec2> uv, std::span<const QuadCorners> quads,
+                                                           bool reversed = false) {
+    std::vector<Index> ids;
+    for (std::size_t q = 0; q < quads.size(); ++q) {
+        const QuadPoints2 x = detail::gather(uv, quads[q]);
+        std::array<double, 4> areas = quad_corner_areas(x);
+        for (double& area : areas) {
+            area = reversed ? -area : area;
+        }
+        if (detail::folded(x, areas)) {
+            ids.push_back(static_cast<Index>(q));
+        }
+    }
+    return ids;
+}
+
+/// Ids of the quads folded on a surface: in the parameter plane, or in space seen from the surface's normal in the
+/// middle of the quad (the other side if \p reversed; not looked at where the surface has no normal).
+/// \param nodes positions of the nodes, those of \p uv on the surface
+/// O(quads), one evaluation of derivatives each.
+template <parametric_surface S>
+[[nodiscard]] std::vector<Index> folded_surface_quads(const S& surface, std::span<const Vec3> nodes,
+                                                      std::span<const Vec2> uv, std::span<const QuadCorners> quads,
+                                                      bool reversed = false) {
+    const std::vector<Index> in_plane = folded_plane_quads(uv, quads, reversed);
+    std::vector<Index> ids;
+    for (std::size_t q = 0; q < quads.size(); ++q) {
+        bool folded = std::binary_search(in_plane.begin(), in_plane.end(), static_cast<Index>(q));
+        if (!folded) {
+            Vec3 normal = detail::quad_surface_normal(surface, detail::gather(uv, quads[q]));
+            normal = reversed ? Vec3(-normal) : normal;
+            const QuadPoints x = detail::gather(nodes, quads[q]);
+            folded = normal != Vec3::Zero() && detail::folded(x, quad_corner_areas(x, normal));
+        }
+        if (folded) {
+            ids.push_back(static_cast<Index>(q));
+        }
+    }
+    return ids;
+}
+
+/// Ids of the quads of a grid in space that fold without knowing a surface: a corner is inverted as seen from the
+/// quad's own normal, or that normal is nearly opposite to the sum of its neighbours' vector areas. O(quads).
+[[nodiscard]] inline std::vector<Index> folded_grid_quads(const StructuredGrid<Vec3>& grid) {
+    const std::vector<QuadCorners> quads = structured_quads(grid.columns, grid.rows);
+    const std::span<const Vec3> nodes(grid.nodes);
+    std::vector<Vec3> areas(quads.size());
+    for (std::size_t q = 0; q < quads.size(); ++q) {
+        areas[q] = quad_vector_area(detail::gather(nodes, quads[q]));
+    }
+    std::vector<Index> ids;
+    for (std::size_t q = 0; q < quads.size(); ++q) {
+        const std::size_t i = q % grid.columns;
+        const std::size_t k = q / grid.columns;
+        Vec3 around = Vec3::Zero();
+        around += i > 0 ? areas[q - 1] : Vec3(Vec3::Zero());
+        around += i + 1 < grid.columns ? areas[q + 1] : Vec3(Vec3::Zero());
+        around += k > 0 ? areas[q - grid.columns] : Vec3(Vec3::Zero());
+        around += k + 1 < grid.rows ? areas[q + grid.columns] : Vec3(Vec3::Zero());
+        const QuadPoints x = detail::gather(nodes, quads[q]);
+        if (detail::folded(x, quad_corner_areas(x)) || areas[q].dot(around) < -0.9 * areas[q].norm() * around.norm()) {
+            ids.push_back(static_cast<Index>(q));
+        }
+    }
+    return ids;
+}
+
+}  // namespace pavior

@@ -1,0 +1,1 @@
+#include <pavior/cad/brep.hpp>

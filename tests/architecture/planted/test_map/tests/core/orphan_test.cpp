@@ -1,0 +1,1 @@
+#include <pavior/core/tested.hpp>

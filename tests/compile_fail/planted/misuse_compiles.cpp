@@ -1,0 +1,2 @@
+// expect: corner
+int main() {}

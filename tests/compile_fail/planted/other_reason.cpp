@@ -1,0 +1,6 @@
+// expect: corner
+int main() {
+#ifdef MISUSE
+    return missing;
+#endif
+}
