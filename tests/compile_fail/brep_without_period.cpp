@@ -1,4 +1,4 @@
-// expect: face_period
+// expect: face_period.*invalid
 #include <pavior/model/brep.hpp>
 
 // Just enough of a model for the compiler.

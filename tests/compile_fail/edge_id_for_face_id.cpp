@@ -1,4 +1,4 @@
-// expect: EdgeTag
+// expect: conver.*EdgeTag.*FaceTag
 #include <pavior/core/index.hpp>
 
 using EdgeId = pavior::Id<struct EdgeTag>;

@@ -1,4 +1,4 @@
-// expect: EdgeTag
+// expect: (no match|invalid operands).*EdgeTag
 #include <pavior/core/index.hpp>
 
 using EdgeId = pavior::Id<struct EdgeTag>;

@@ -1,4 +1,4 @@
-// expect: vertex_mesh
+// expect: satisf.*vertex_mesh
 #include <pavior/mesh/span_mesh.hpp>
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// expect: point_like
+// expect: satisf.*point_like
 #include <pavior/math/point.hpp>
 
 #include <array>

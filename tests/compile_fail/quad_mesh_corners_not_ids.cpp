@@ -1,4 +1,4 @@
-// expect: corner_list
+// expect: quad\(m, q\).*satisfy|satisfy .corner_list.
 #include <pavior/mesh/mesh_access.hpp>
 
 #include <array>

@@ -1,4 +1,4 @@
-// expect: quad_count
+// expect: mesh_access<.*>::quad_count
 #include <pavior/mesh/mesh_access.hpp>
 
 #include <array>

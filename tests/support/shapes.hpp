@@ -48,7 +48,8 @@ QuadMesh subset(const QuadMesh& mesh, Keep&& keep) {
     QuadMesh part;
     std::vector<char> used(mesh.nodes.size(), 0);
     for (const auto& quad : mesh.quads) {
-        const Vec3 centre = (mesh.nodes[quad[0]] + mesh.nodes[quad[1]] + mesh.nodes[quad[2]] + mesh.nodes[quad[3]]) / 4.0;
+        const Vec3 sum = mesh.nodes[quad[0]] + mesh.nodes[quad[1]] + mesh.nodes[quad[2]] + mesh.nodes[quad[3]];
+        const Vec3 centre = sum / 4.0;
         if (keep(centre)) {
             part.quads.push_back(quad);
             for (const Index i : quad) {

@@ -293,4 +293,62 @@ inline SolidId add_pyramid(TestBrep& b) {
     return b.solid(std::move(faces));
 }
 
+/// A box whose face z = height carries a smaller box: not a sweep, one side face has two loops.
+inline SolidId add_boss(TestBrep& b) {
+    const auto low = lift(b, rectangle(3, 3), 0), high = lift(b, rectangle(3, 3), 1);
+    const Polygon inner{{1, 1}, {2, 1}, {2, 2}, {1, 2}};
+    const auto foot = lift(b, inner, 1), top = lift(b, inner, 2);
+    std::vector<OrientedFace> faces{{b.flat_polygon(low), false}};
+    faces.push_back({b.flat_polygon(high, {{foot[0], foot[3], foot[2], foot[1]}}), true});
+    faces.push_back({b.flat_polygon(top), true});
+    add_sides(b, low, high, faces);
+    add_sides(b, foot, top, faces);
+    return b.solid(std::move(faces));
+}
+
+/// A square at the bottom, a triangle on top: one side face is a triangle. Bottom is face 0, top 1, the triangle last.
+inline SolidId add_square_to_triangle(TestBrep& b) {
+    const auto low = lift(b, rectangle(2, 2), 0), high = lift(b, {{0.5, 0.5}, {1.5, 0.5}, {1.0, 1.5}}, 1);
+    std::vector<OrientedFace> faces{{b.flat_polygon(low), false}, {b.flat_polygon(high), true}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const VertexId p = high[std::min<std::size_t>(i, 2)], q = high[i < 2 ? i + 1 : i == 2 ? 2 : 0];
+        const std::size_t j = (i + 1) % 4;
+        faces.push_back({p == q ? b.flat_polygon({low[i], low[j], p}) : b.flat_polygon({low[i], low[j], q, p}), true});
+    }
+    std::swap(faces[4], faces[5]);
+    return b.solid(std::move(faces));
+}
+
+/// A unit box whose walls y = 0 and x = 1 have two storeys; the walls x = 0 and y = 1 are in one piece.
+inline SolidId add_half_stacked_box(TestBrep& b) {
+    const auto low = lift(b, rectangle(1, 1), 0), mid = lift(b, rectangle(1, 1), 0.4), high = lift(b, rectangle(1, 1), 1);
+    std::vector<OrientedFace> faces{{b.flat_polygon(low), false}, {b.flat_polygon(high), true}};
+    faces.push_back({b.flat_polygon({low[0], low[1], mid[1], mid[0]}), true});
+    faces.push_back({b.flat_polygon({mid[0], mid[1], high[1], high[0]}), true});
+    faces.push_back({b.flat_polygon({low[1], low[2], mid[2], mid[1]}), true});
+    faces.push_back({b.flat_polygon({mid[1], mid[2], high[2], high[1]}), true});
+    faces.push_back({b.flat_polygon({low[2], low[3], high[3], high[2], mid[2]}), true});
+    faces.push_back({b.flat_polygon({low[3], low[0], mid[0], high[0], high[3]}), true});
+    return b.solid(std::move(faces));
+}
+
+/// A row of boxes along x that share faces; each has its lower x face first, its upper x face second.
+inline std::vector<SolidId> add_box_row(TestBrep& b, const std::vector<double>& x) {
+    std::vector<SolidId> solids;
+    std::vector<std::vector<VertexId>> section;
+    for (const double at : x) {
+        section.push_back({b.vertex({at, 0, 0}), b.vertex({at, 1, 0}), b.vertex({at, 1, 1}), b.vertex({at, 0, 1})});
+    }
+    std::vector<FaceId> walls;
+    for (const auto& ring : section) {
+        walls.push_back(b.flat_polygon(ring));
+    }
+    for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+        std::vector<OrientedFace> faces{{walls[i], false}, {walls[i + 1], true}};
+        add_sides(b, section[i], section[i + 1], faces);
+        solids.push_back(b.solid(std::move(faces)));
+    }
+    return solids;
+}
+
 }  // namespace pavior::test

@@ -128,7 +128,7 @@ TEST_CASE("side nodes are copied bit by bit, the smallest grids too") {
     }
 }
 
-TEST_CASE("arc-length blending reproduces a graded rectangle, uniform blending too, and a graded quadrilateral better") {
+TEST_CASE("arc-length blending reproduces a graded bilinear patch, uniform blending does not") {
     const std::vector<double> s{0.0, 0.05, 0.15, 0.4, 1.0};
     const std::vector<double> t{0.0, 0.5, 0.8, 0.9, 1.0};
     const std::function<Vec2(double, double)> bilinear = [](double x, double y) {

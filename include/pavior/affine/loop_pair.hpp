@@ -71,8 +71,12 @@ template <class DerivedX, class DerivedY, class Scalar = typename DerivedX::Scal
     StreamedQr<Scalar, columns> qr(2 * n);
     Eigen::Matrix<Scalar, 1, columns> row(2 * n);
     for (Eigen::Index i = 0; i < X.cols(); ++i) {
-        row.head(n) = pair.source.local(X.col(i)).transpose();
-        row.tail(n) = pair.target.local(Y.col(i)).transpose();
+        const auto x = pair.source.local(X.col(i));
+        const auto y = pair.target.local(Y.col(i));
+        for (Eigen::Index k = 0; k < n; ++k) {
+            row(k) = x(k);
+            row(n + k) = y(k);
+        }
         qr.add(row);
     }
     const auto factor = qr.factor();

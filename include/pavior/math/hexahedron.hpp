@@ -172,8 +172,8 @@ struct HexMetrics {
     return {inverted ? 0.0 : 24.0 / sum, inverted ? 0.0 : shape, collapsed ? 0.0 : jacobian};
 }
 
-/// f_shape: 24 / sum over the corners of |A_k|^2 det(A_k)^(-2/3), |.| the Frobenius norm: the harmonic mean of the eight
-/// corner mean ratios. In (0, 1]; 0 if any corner determinant is <= 0. \cite knupp2003
+/// f_shape: 24 / sum over the corners of |A_k|^2 det(A_k)^(-2/3), |.| the Frobenius norm: the harmonic mean of the
+/// eight corner mean ratios. In (0, 1]; 0 if any corner determinant is <= 0. \cite knupp2003
 [[nodiscard]] inline double hex_f_shape(const HexPoints& x) { return hex_metrics(x).f_shape; }
 
 /// "Shape" of Verdict as VTK 9.1 computes it: min over the eight corners of 3 det(A_k)^(2/3) / |A_k|^2. In (0, 1]; 0 if
@@ -181,8 +181,8 @@ struct HexMetrics {
 [[nodiscard]] inline double hex_verdict_shape(const HexPoints& x) { return hex_metrics(x).verdict_shape; }
 
 /// "Scaled Jacobian" of Verdict as VTK 9.1 computes it: min over the eight corners and the centre of det J divided by
-/// the lengths of the three columns of J. In [-1, 1], negative or null for an inverted hexahedron; 0 where an edge or an
-/// axis through the centre has length 0 (Verdict says 1e30 below 1e-15).
+/// the lengths of the three columns of J. In [-1, 1], negative or null for an inverted hexahedron; 0 where an edge or
+/// an axis through the centre has length 0 (Verdict says 1e30 below 1e-15).
 [[nodiscard]] inline double hex_scaled_jacobian(const HexPoints& x) { return hex_metrics(x).scaled_jacobian; }
 
 }  // namespace pavior

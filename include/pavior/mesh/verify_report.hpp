@@ -94,7 +94,9 @@ struct Finding {
 class VerifyReport {
 public:
     /// \p cap: offenders of a kind whose ids are kept. Counts are always exact.
-    explicit VerifyReport(std::size_t cap = 16) : cap_(cap) {}
+    explicit VerifyReport(std::size_t cap) : cap_(cap) {}
+    /// 16 of a kind.
+    VerifyReport() = default;
 
     [[nodiscard]] bool ok() const { return findings_.empty(); }
     [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
@@ -111,7 +113,7 @@ public:
         return found != nullptr ? found->count : 0;
     }
 
-    /// One line a finding: "3 inverted cells: 4 8 15"; empty if there is none.
+    /// One line a finding: "3 inverted cells: 4, 8, 15"; empty if there is none.
     [[nodiscard]] std::string text() const {
         std::string lines;
         for (const Finding& finding : findings_) {
@@ -169,7 +171,7 @@ private:
         return findings_[at];
     }
 
-    std::size_t cap_;
+    std::size_t cap_ = 16;
     std::vector<Finding> findings_;
 };
 

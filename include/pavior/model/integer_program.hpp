@@ -12,21 +12,21 @@
 namespace pavior {
 
 /// No bound.
-inline constexpr double unbounded = std::numeric_limits<double>::infinity();
+inline constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 /// minimise sum cost_j x_j subject to lower_j <= x_j <= upper_j, lower_i <= sum a_ij x_j <= upper_i, x_j integer where
 /// asked for.
 struct IntegerProgram {
     struct Variable {
         double lower = 0.0;
-        double upper = unbounded;
+        double upper = no_bound;
         double cost = 0.0;
         bool integer = true;
         std::string name;  ///< for messages; may be empty
     };
     struct Row {
-        double lower = -unbounded;
-        double upper = unbounded;
+        double lower = -no_bound;
+        double upper = no_bound;
         std::vector<std::pair<std::size_t, double>> terms;  ///< variable and coefficient, each variable at most once
         std::string name;
     };

@@ -16,9 +16,10 @@
 namespace pavior {
 
 struct RecognitionOptions {
-    bool stacked = true;          ///< also look for linking sides that lie above each other along the sweep
-    StackingOptions stacking;     ///< used if `stacked`
-    std::size_t max_refusals = 3; ///< how many pairs of an unsweepable solid are explained
+    bool stacked = true;            ///< also look for linking sides that lie above each other along the sweep
+    StackingOptions stacking;       ///< used if `stacked`
+    double max_deviation = 85.0;    ///< corners of linking sides, and their angles to the caps, are 90 +- this, degrees
+    std::size_t max_refusals = 3;   ///< how many pairs of an unsweepable solid are explained
 };
 
 /// All ways to sweep a solid, best first (`better_sweep`), or the reasons why there is none.
@@ -32,21 +33,31 @@ struct Recognition {
 
 namespace detail {
 
-/// The sweep between two faces of a solid (positions), or nothing.
-template <brep B>
-[[nodiscard]] std::optional<SweepTopology> find_sweep(const B& b, const SolidBoundary& solid, std::size_t source,
-                                                      std::size_t target, const RecognitionOptions& options) {
+/// A pair of caps: the sweep between them, or what is wrong with the shape of the sweep that topology allows, or neither.
+struct PairOutcome {
     std::optional<SweepTopology> sweep;
+    std::vector<SweepObstacle> obstacles;
+};
+
+/// Judges two faces of a solid (positions).
+template <brep B>
+[[nodiscard]] PairOutcome judge_pair(const B& b, const SolidBoundary& solid, std::size_t source, std::size_t target,
+                                     const RecognitionOptions& options) {
+    PairOutcome result;
     if (caps_fit(solid, source, target)) {
-        sweep = sweep_from_roles(solid, source, target, direct_roles(solid, source, target));
-        if (!sweep && options.stacked) {
-            sweep = find_stacked_sweep(solid, source, target, options.stacking);
+        result.sweep = sweep_from_roles(solid, source, target, direct_roles(solid, source, target));
+        if (!result.sweep && options.stacked) {
+            result.sweep = find_stacked_sweep(solid, source, target, options.stacking);
         }
     }
-    if (sweep) {
-        sweep->shape = sweep_shape(b, *sweep);
+    if (result.sweep) {
+        result.sweep->shape = sweep_shape(b, *result.sweep);
+        result.obstacles = shape_obstacles(b, *result.sweep, options.max_deviation);
+        if (!result.obstacles.empty()) {
+            result.sweep.reset();
+        }
     }
-    return sweep;
+    return result;
 }
 
 /// The position of face \p f in the solid. \throws InputError bad_option
@@ -62,17 +73,20 @@ template <brep B>
                      {f.value});
 }
 
-/// The pairs that break the fewest conditions, explained.
-[[nodiscard]] inline std::vector<SweepRefusal> closest_refusals(const SolidBoundary& solid, std::size_t count) {
-    std::vector<SweepRefusal> result;
+/// Adds the pairs that break the fewest conditions, explained, until there are \p count.
+inline void add_closest_refusals(const SolidBoundary& solid, std::size_t count, std::vector<SweepRefusal>& refusals) {
     if (solid.faces.size() < 3) {
-        result.push_back(too_few_faces(solid));
-        return result;
+        refusals.push_back(too_few_faces(solid));
+        return;
     }
     for (const auto& [source, target] : closest_pairs(solid, count)) {
-        result.push_back(explain_refusal(solid, source, target));
+        const auto known = [&, s = solid.faces[source].face.face, t = solid.faces[target].face.face](const auto& r) {
+            return (r.source == s && r.target == t) || (r.source == t && r.target == s);
+        };
+        if (refusals.size() < count && std::none_of(refusals.begin(), refusals.end(), known)) {
+            refusals.push_back(explain_refusal(solid, source, target));
+        }
     }
-    return result;
 }
 
 }  // namespace detail
@@ -82,8 +96,9 @@ template <brep B>
 /// Conditions: the caps have equally many loops, no seam, and touch nowhere; every other face is a linking side (one
 /// loop, four logical sides); the linking sides form, round each loop of the source, a ring that ends at exactly one
 /// loop of the target. Side faces that reach from cap to cap are judged by topology alone, side faces above each other
-/// also by their corner angles (StackingOptions). Geometry is not checked further: a sweep found here may still be too
-/// distorted to give valid hexahedra.
+/// also by their corner angles (StackingOptions). Corners of linking sides and angles between them and the caps near 0,
+/// near 180 (a fillet at the rim of a cap) or beyond are refused, since the hexahedra there cannot be valid
+/// (max_deviation). Geometry is not checked further.
 /// Deterministic. O(f^2) face pairs, each O(n) for n edges, most of them rejected early.
 /// \throws InputError non_manifold if the faces do not close the solid.
 template <brep B>
@@ -91,17 +106,24 @@ template <brep B>
     const SolidBoundary boundary = solid_boundary(b, solid);
     Recognition result;
     result.solid = solid;
+    std::vector<SweepRefusal> misshapen;
     for (std::size_t i = 0; i < boundary.faces.size(); ++i) {
         for (std::size_t j = i + 1; j < boundary.faces.size(); ++j) {
             const bool ordered = boundary.faces[i].face.face < boundary.faces[j].face.face;
-            if (auto sweep = detail::find_sweep(b, boundary, ordered ? i : j, ordered ? j : i, options)) {
-                result.candidates.push_back(std::move(*sweep));
+            const std::size_t source = ordered ? i : j, target = ordered ? j : i;
+            detail::PairOutcome outcome = detail::judge_pair(b, boundary, source, target, options);
+            if (outcome.sweep) {
+                result.candidates.push_back(std::move(*outcome.sweep));
+            } else if (!outcome.obstacles.empty()) {
+                misshapen.push_back(make_refusal(boundary, source, target, std::move(outcome.obstacles)));
             }
         }
     }
     std::stable_sort(result.candidates.begin(), result.candidates.end(), better_sweep);
     if (result.candidates.empty()) {
-        result.refusals = detail::closest_refusals(boundary, options.max_refusals);
+        result.refusals = std::move(misshapen);
+        result.refusals.resize(std::min(result.refusals.size(), options.max_refusals));
+        detail::add_closest_refusals(boundary, options.max_refusals, result.refusals);
     }
     return result;
 }
@@ -117,10 +139,13 @@ template <brep B>
     if (s == t) {
         throw InputError(ErrorCode::bad_option, "source and target are the same face", {boundary.faces[s].tag});
     }
-    if (auto sweep = detail::find_sweep(b, boundary, s, t, options)) {
-        return std::move(*sweep);
+    detail::PairOutcome outcome = detail::judge_pair(b, boundary, s, t, options);
+    if (!outcome.sweep) {
+        throw detail::not_sweepable_error(
+            boundary, {outcome.obstacles.empty() ? explain_refusal(boundary, s, t)
+                                                 : make_refusal(boundary, s, t, std::move(outcome.obstacles))});
     }
-    throw detail::not_sweepable_error(boundary, {explain_refusal(boundary, s, t)});
+    return std::move(*outcome.sweep);
 }
 
 /// The best candidate. \throws UnmeshableError not_sweepable with the reasons and the user's tags of the faces

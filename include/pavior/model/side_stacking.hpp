@@ -39,7 +39,7 @@ public:
             done_[face] = face == source || face == target;
             if (!done_[face]) {
                 patterns_[face] = make_patterns(face, options);
-                add_direct(face, direct);
+                add_direct(face, direct, options);
                 possible_ = possible_ && !patterns_[face].empty();
             }
         }
@@ -89,12 +89,21 @@ private:
         return result;
     }
 
-    /// A face that reaches from cap to cap by topology needs no angles.
-    void add_direct(std::size_t face, const std::vector<SideRole>& direct) {
-        if (solid_.faces[face].loops.size() == 1 && side_from_roles(solid_, face, direct)) {
-            const auto first = direct.begin() + offset(face);
-            patterns_[face].emplace(patterns_[face].begin(), first, direct.begin() + end_offset(face));
+    /// A face that reaches from cap to cap by topology needs no angles but at the kinks of its ribs.
+    void add_direct(std::size_t face, const std::vector<SideRole>& direct, const StackingOptions& options) {
+        const SolidBoundary::Face& f = solid_.faces[face];
+        if (f.loops.size() != 1 || !side_from_roles(solid_, face, direct)) {
+            return;
         }
+        for (std::size_t h = f.begin; h < f.end; ++h) {
+            const SideRole role = direct[h];
+            const bool inside = role == direct[h == f.begin ? f.end - 1 : h - 1];
+            if (inside && (role == SideRole::left || role == SideRole::right) && !kink_allowed(h, options)) {
+                return;
+            }
+        }
+        patterns_[face].emplace(patterns_[face].begin(), direct.begin() + offset(face),
+                                direct.begin() + end_offset(face));
     }
 
     void choose_corners(const SolidBoundary::Face& f, const std::vector<std::size_t>& free, std::size_t at,

@@ -32,15 +32,16 @@ enum class SweepCondition : std::uint8_t {
 /// One reason why a pair of caps does not make a sweep.
 struct SweepObstacle {
     SweepCondition condition = SweepCondition::equal_caps;
-    FaceId face;       ///< the face that breaks the condition; a cap itself if the caps do not fit each other
-    std::string text;  ///< names faces by the user's tags, e.g. "face 7 meets the source but not the target"
+    FaceId face;         ///< the face that breaks the condition; a cap itself if the caps do not fit each other
+    int tag = 0;         ///< its number as users know it
+    std::string reason;  ///< e.g. "no edge on the target"
 };
 
 /// Why the solid is no sweep from \p source to \p target. Both are invalid if the solid has no pair of faces.
 struct SweepRefusal {
     FaceId source, target;
     std::vector<SweepObstacle> obstacles;
-    std::string text;  ///< all obstacles in one line
+    std::string text;  ///< all obstacles in one line, faces by the user's tags
 };
 
 namespace detail {
@@ -61,7 +62,7 @@ struct CapContact {
 }
 
 /// Chains of the face's boundary that are shared with face \p cap.
-[[nodiscard]] inline std::size_t runs_along(const SolidBoundary& solid, std::size_t face, std::size_t cap) {
+[[nodiscard]] inline std::size_t chains_along(const SolidBoundary& solid, std::size_t face, std::size_t cap) {
     std::size_t runs = 0;
     for (const std::size_t first : solid.faces[face].loops) {
         std::size_t inside = 0, starts = 0;
@@ -90,58 +91,74 @@ struct CapContact {
     return true;
 }
 
-class RefusalWriter {
+/// The obstacles in one line, faces with the same fate together.
+[[nodiscard]] inline std::string obstacle_text(const std::vector<SweepObstacle>& obstacles) {
+    std::string text;
+    std::vector<bool> done(obstacles.size(), false);
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+        if (done[i]) {
+            continue;
+        }
+        std::set<int> tags;
+        for (std::size_t j = i; j < obstacles.size(); ++j) {
+            if (obstacles[j].condition == obstacles[i].condition && obstacles[j].reason == obstacles[i].reason) {
+                done[j] = true;
+                tags.insert(obstacles[j].tag);
+            }
+        }
+        text += (text.empty() ? "" : "; ") + std::string(tags.size() == 1 ? "face" : "faces");
+        for (const int tag : tags) {
+            text += (tag == *tags.begin() ? " " : ", ") + std::to_string(tag);
+        }
+        text += ": " + obstacles[i].reason + " (condition " + numeral(obstacles[i].condition) + ")";
+    }
+    return text;
+}
+
+/// Finds what stands between the caps at two positions.
+class ObstacleFinder {
 public:
-    RefusalWriter(const SolidBoundary& solid, std::size_t source, std::size_t target)
+    ObstacleFinder(const SolidBoundary& solid, std::size_t source, std::size_t target)
         : solid_(solid), source_(source), target_(target) {}
 
-    [[nodiscard]] SweepRefusal write() {
+    [[nodiscard]] std::vector<SweepObstacle> find() {
         caps();
         for (std::size_t face = 0; face < solid_.faces.size(); ++face) {
             if (face != source_ && face != target_) {
                 side(face);
             }
         }
-        if (refusal_.obstacles.empty()) {
+        if (obstacles_.empty()) {
             rings();
         }
-        refusal_.source = solid_.faces[source_].face.face;
-        refusal_.target = solid_.faces[target_].face.face;
-        refusal_.text = "from face " + name(source_) + " to face " + name(target_) + ": ";
-        for (std::size_t i = 0; i < refusal_.obstacles.size(); ++i) {
-            const SweepObstacle& o = refusal_.obstacles[i];
-            refusal_.text += (i == 0 ? "" : "; ") + o.text + " (condition " + numeral(o.condition) + ")";
-        }
-        return std::move(refusal_);
+        return std::move(obstacles_);
     }
 
 private:
-    [[nodiscard]] std::string name(std::size_t face) const { return std::to_string(solid_.faces[face].tag); }
-
-    void add(SweepCondition condition, std::size_t face, std::string text) {
-        refusal_.obstacles.push_back({condition, solid_.faces[face].face.face, std::move(text)});
+    void add(SweepCondition condition, std::size_t face, std::string reason) {
+        obstacles_.push_back(
+            {condition, solid_.faces[face].face.face, solid_.faces[face].tag, std::move(reason)});
     }
 
     void caps() {
         const SolidBoundary::Face &s = solid_.faces[source_], &t = solid_.faces[target_];
         for (const std::size_t cap : {source_, target_}) {
             if (solid_.faces[cap].seam) {
-                add(SweepCondition::equal_caps, cap, "cap " + name(cap) + " is closed in itself (it has a seam edge)");
+                add(SweepCondition::equal_caps, cap, "closed in itself by a seam edge, cannot be a cap");
             } else if (solid_.faces[cap].loops.empty()) {
-                add(SweepCondition::equal_caps, cap, "cap " + name(cap) + " has no boundary");
+                add(SweepCondition::equal_caps, cap, "no boundary, cannot be a cap");
             }
         }
         if (s.loops.size() != t.loops.size()) {
             add(SweepCondition::equal_caps, target_,
-                "the source has " + std::to_string(s.loops.size()) + " loops, the target " +
-                    std::to_string(t.loops.size()));
+                std::to_string(t.loops.size()) + " loops, but " + std::to_string(s.loops.size()) + " on the source");
         }
-        if (runs_along(solid_, source_, target_) != 0) {
+        if (chains_along(solid_, source_, target_) != 0) {
             add(SweepCondition::one_source_one_target, target_,
-                "source and target share an edge, so that no linking side lies between them");
+                "an edge in common with the source, no room for a linking side between them");
         } else if (share_vertex(source_, target_)) {
             add(SweepCondition::one_source_one_target, target_,
-                "source and target share a vertex, so that no rib lies between them");
+                "a vertex in common with the source, no room for a rib between them");
         }
     }
 
@@ -152,18 +169,17 @@ private:
 
     void side(std::size_t face) {
         const SolidBoundary::Face& f = solid_.faces[face];
-        const std::size_t bottoms = runs_along(solid_, face, source_), tops = runs_along(solid_, face, target_);
+        const std::size_t bottoms = chains_along(solid_, face, source_), tops = chains_along(solid_, face, target_);
         if (f.loops.size() != 1) {
             add(SweepCondition::four_logical_sides, face,
-                "face " + name(face) + " has " + std::to_string(f.loops.size()) +
-                    " boundary loops where a linking side has one");
+                std::to_string(f.loops.size()) + " boundary loops where a linking side has one");
         } else if (bottoms > 1 || tops > 1) {
             add(SweepCondition::four_logical_sides, face,
-                "face " + name(face) + " meets the " + (bottoms > 1 ? "source" : "target") + " along " +
+                std::string("contact with the ") + (bottoms > 1 ? "source" : "target") + " along " +
                     std::to_string(std::max(bottoms, tops)) + " separate chains");
         } else if (bottoms == 0 && tops == 0) {
             add(SweepCondition::one_source_one_target, face,
-                "face " + name(face) + " meets neither source nor target and would be a further cap");
+                "no contact with source or target, would be a further cap");
         } else if (bottoms == 0 || tops == 0) {
             one_cap_only(face, bottoms == 0 ? source_ : target_);
         }
@@ -173,31 +189,32 @@ private:
         const std::string cap = missing == source_ ? "source" : "target";
         if (share_vertex(face, missing)) {
             add(SweepCondition::four_logical_sides, face,
-                "face " + name(face) + " has three logical sides: it meets the " + cap + " at a vertex only");
+                "three logical sides, only a vertex on the " + cap);
         } else {
-            add(SweepCondition::one_source_one_target, face,
-                "face " + name(face) + " does not reach the " + cap);
+            add(SweepCondition::one_source_one_target, face, "no edge on the " + cap);
         }
     }
 
     /// All faces look right one by one, but they do not close up from loop to loop.
     void rings() {
         add(SweepCondition::one_axis, target_,
-            "the linking sides do not form rings that join each loop of the source to one loop of the target");
+            "the linking sides do not form rings that join each loop of the source to one loop of this target");
     }
 
     const SolidBoundary& solid_;
     std::size_t source_, target_;
-    SweepRefusal refusal_;
+    std::vector<SweepObstacle> obstacles_;
 };
 
 [[nodiscard]] inline SweepRefusal too_few_faces(const SolidBoundary& solid) {
     SweepRefusal refusal;
-    const std::string text = "solid " + std::to_string(solid.tag) + " has " + std::to_string(solid.faces.size()) +
-                             " faces: there is no source, target and linking side";
-    refusal.obstacles.push_back(
-        {SweepCondition::one_source_one_target, solid.faces.empty() ? FaceId{} : solid.faces[0].face.face, text});
-    refusal.text = text + " (condition (iii))";
+    const std::string reason = "one of only " + std::to_string(solid.faces.size()) +
+                               " faces, too few for source, target and linking side";
+    if (!solid.faces.empty()) {
+        refusal.obstacles.push_back({SweepCondition::one_source_one_target, solid.faces[0].face.face,
+                                     solid.faces[0].tag, reason});
+    }
+    refusal.text = obstacle_text(refusal.obstacles);
     return refusal;
 }
 
@@ -216,8 +233,8 @@ private:
     std::size_t sides = 0;
     for (std::size_t face = 0; face < solid.faces.size(); ++face) {
         if (face != source && face != target) {
-            const bool fits = solid.faces[face].loops.size() == 1 && runs_along(solid, face, source) == 1 &&
-                              runs_along(solid, face, target) == 1;
+            const bool fits = solid.faces[face].loops.size() == 1 && chains_along(solid, face, source) == 1 &&
+                              chains_along(solid, face, target) == 1;
             sides += fits ? 0 : 1;
         }
     }
@@ -251,10 +268,8 @@ private:
     for (const SweepRefusal& refusal : refusals) {
         text += "\n  " + refusal.text;
         for (const SweepObstacle& obstacle : refusal.obstacles) {
-            for (const SolidBoundary::Face& f : solid.faces) {
-                if (f.face.face == obstacle.face && std::find(ids.begin(), ids.end(), f.tag) == ids.end()) {
-                    ids.push_back(f.tag);
-                }
+            if (std::find(ids.begin(), ids.end(), obstacle.tag) == ids.end()) {
+                ids.push_back(obstacle.tag);
             }
         }
     }
@@ -263,9 +278,19 @@ private:
 
 }  // namespace detail
 
-/// Explains why the solid is no sweep between the faces at positions \p source and \p target (which it is not).
+/// The refusal of a pair of caps (positions) for the reasons given.
+[[nodiscard]] inline SweepRefusal make_refusal(const SolidBoundary& solid, std::size_t source, std::size_t target,
+                                               std::vector<SweepObstacle> obstacles) {
+    const SolidBoundary::Face &s = solid.faces[source], &t = solid.faces[target];
+    std::string text = "from face " + std::to_string(s.tag) + " to face " + std::to_string(t.tag) + ": " +
+                       detail::obstacle_text(obstacles);
+    return {s.face.face, t.face.face, std::move(obstacles), std::move(text)};
+}
+
+/// Explains by topology why the solid is no sweep between the faces at positions \p source and \p target (which it is
+/// not).
 [[nodiscard]] inline SweepRefusal explain_refusal(const SolidBoundary& solid, std::size_t source, std::size_t target) {
-    return detail::RefusalWriter(solid, source, target).write();
+    return make_refusal(solid, source, target, detail::ObstacleFinder(solid, source, target).find());
 }
 
 }  // namespace pavior

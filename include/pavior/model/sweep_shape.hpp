@@ -3,6 +3,7 @@
 /// How well shaped a sweep promises to be, and the rule by which one of several sweeps of a solid is chosen.
 
 #include <pavior/model/face_corners.hpp>
+#include <pavior/model/sweep_conditions.hpp>
 #include <pavior/model/sweep_topology.hpp>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <cstddef>
 #include <map>
 #include <span>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -30,6 +32,46 @@ template <brep B>
         worst = std::max(worst, std::abs(angle - 90.0));
     }
     return worst;
+}
+
+/// Angle inside the solid between two faces at fraction \p at of an edge, in [0, 360] degrees; \p use is the edge in
+/// the sense of the first face's loop seen from outside.
+template <brep B>
+[[nodiscard]] double dihedral_angle(const B& b, OrientedFace first, OrientedFace second, OrientedEdge use, double at) {
+    const auto range = b.edge_range(use.edge);
+    const double t = range[0] + (use.forward ? at : 1.0 - at) * (range[1] - range[0]);
+    const Vec3 along = b.edge_derivative(use.edge, t) * (use.forward ? 1.0 : -1.0);
+    const OrientedEdge other{use.edge, !use.forward};
+    return 180.0 - signed_angle(outside_normal(b, first, use, at), outside_normal(b, second, other, 1.0 - at),
+                                along.norm() > 0.0 ? Vec3(along.normalized()) : along);
+}
+
+/// Largest |angle - 90| between \p side and the \p cap along those of \p edges that lie on the loop of the cap.
+/// \p along tells whether the loop runs in the sense that is seen from outside.
+template <brep B>
+[[nodiscard]] double deviation_from_cap(const B& b, OrientedFace cap, const EdgeLoop& loop, bool along,
+                                        const LinkingSide& side, const EdgeChain& edges) {
+    double worst = 0.0;
+    for (const OrientedEdge& use : edges) {
+        if (std::find(loop.begin(), loop.end(), use) == loop.end()) {
+            continue;
+        }
+        for (const double at : {0.0, 0.5, 1.0}) {
+            const OrientedEdge seen{use.edge, along ? use.forward : !use.forward};
+            const double angle = dihedral_angle(b, cap, {side.face, side.outward}, seen, at);
+            worst = std::max(worst, std::abs(angle - 90.0));
+        }
+    }
+    return worst;
+}
+
+/// The same for both caps; \p side belongs to loop \p i.
+template <brep B>
+[[nodiscard]] double cap_deviation(const B& b, const SweepTopology& sweep, std::size_t i, const LinkingSide& side) {
+    return std::max(deviation_from_cap(b, {sweep.source, sweep.source_outward}, sweep.source_loops[i], false, side,
+                                       side.bottom),
+                    deviation_from_cap(b, {sweep.target, sweep.target_outward}, sweep.target_loops[i], true, side,
+                                       side.top));
 }
 
 /// Turning of a chain: of its edges, and from edge to edge, degrees.
@@ -101,33 +143,55 @@ template <brep B>
 template <brep B>
 [[nodiscard]] SweepShape sweep_shape(const B& b, const SweepTopology& sweep) {
     SweepShape shape;
-    for (const std::vector<LinkingSide>& sides : sweep.loops) {
-        for (const LinkingSide& side : sides) {
+    for (std::size_t i = 0; i < sweep.loops.size(); ++i) {
+        for (const LinkingSide& side : sweep.loops[i]) {
             shape.corner_deviation = std::max(shape.corner_deviation, detail::corner_deviation(b, side));
+            shape.cap_deviation = std::max(shape.cap_deviation, detail::cap_deviation(b, sweep, i, side));
             shape.rib_turn = std::max({shape.rib_turn, detail::chain_turning<B>(b, side.left),
                                        detail::chain_turning<B>(b, side.right)});
         }
+        shape.cap_edges += sweep.source_loops[i].size() + sweep.target_loops[i].size();
     }
     const auto [shortest, longest] = detail::rib_lengths(b, sweep);
     shape.rib_ratio = shortest > 0.0 ? longest / shortest : HUGE_VAL;
     shape.cap_warp = std::max(detail::cap_warp(b, {sweep.source, sweep.source_outward}),
                               detail::cap_warp(b, {sweep.target, sweep.target_outward}));
     shape.cap_loops = sweep.source_loops.size();
-    for (std::size_t i = 0; i < sweep.source_loops.size(); ++i) {
-        shape.cap_edges += sweep.source_loops[i].size() + sweep.target_loops[i].size();
-    }
     return shape;
 }
 
+/// Linking sides on which every hexahedron at some corner or along a cap would be flat or inverted, however its nodes
+/// are placed: an angle differs from 90 degrees by more than \p max_deviation.
+template <brep B>
+[[nodiscard]] std::vector<SweepObstacle> shape_obstacles(const B& b, const SweepTopology& sweep,
+                                                         double max_deviation) {
+    std::vector<SweepObstacle> result;
+    const auto add = [&](const LinkingSide& side, double deviation, const std::string& what) {
+        if (deviation > max_deviation) {
+            const auto degrees = std::to_string(std::lround(deviation));
+            result.push_back({SweepCondition::four_logical_sides, side.face, b.tag(2, side.face.index()),
+                              what + " differs from 90 degrees by " + degrees});
+        }
+    };
+    for (std::size_t i = 0; i < sweep.loops.size(); ++i) {
+        for (const LinkingSide& side : sweep.loops[i]) {
+            add(side, detail::corner_deviation(b, side), "the interior angle at a corner of its logical sides");
+            add(side, detail::cap_deviation(b, sweep, i, side), "its angle to a cap");
+        }
+    }
+    return result;
+}
+
 /// The rule of choice, term by term; the first that differs decides:
-/// 1. no side faces above each other; 2. corners of the linking sides nearer to 90 degrees (in steps of 15);
+/// 1. no side faces above each other; 2. corners of the linking sides, and angles between them and the caps, nearer to
+/// 90 degrees (in steps of 15);
 /// 3. more loops on the caps; 4. more edges on the caps (the complex shape to the cap, the plain one to the sides);
 /// 5. ribs of equal length (ratio in steps of 2^(1/4)); 6. straighter ribs (steps of 15 degrees); 7. flatter caps
 /// (steps of 15 degrees); 8. lower face id of the source, then of the target.
 [[nodiscard]] inline bool better_sweep(const SweepTopology& a, const SweepTopology& b) {
     const auto rank = [](const SweepTopology& s) {
         const auto steps = [](double value, double step) { return std::floor(value / step + 1e-6); };
-        return std::tuple(s.stacked, steps(s.shape.corner_deviation, 15.0),
+        return std::tuple(s.stacked, steps(std::max(s.shape.corner_deviation, s.shape.cap_deviation), 15.0),
                           -static_cast<double>(s.shape.cap_loops), -static_cast<double>(s.shape.cap_edges),
                           steps(std::log2(std::min(s.shape.rib_ratio, 1e9)), 0.25), steps(s.shape.rib_turn, 15.0),
                           steps(s.shape.cap_warp, 15.0), s.source, s.target);

@@ -29,6 +29,14 @@ struct SolidSweepOptions {
     bool smooth = true;
 };
 
+/// What the projection of a source cap onto its target came to (target_projection.hpp).
+struct TargetReport {
+    double residual = 0;            ///< of the affine map at the loops, unit of the target's parameters
+    std::size_t folded_by_map = 0;  ///< quads that the affine map alone folds
+    std::vector<Index> folded;      ///< quads still folded
+    SmoothReport smooth;
+};
+
 /// The mesh of one solid: nodes by id, level by level in the order of the source cap.
 struct SolidMesh {
     std::size_t level_size = 0;   ///< nodes of a level
@@ -93,39 +101,33 @@ private:
 
 /// Projects the source cap onto the target face and stores its mesh there.
 template <brep B>
-TargetReport mesh_target(const B& b, BoundaryMesh& mesh, const SweepTopology& sweep, const SweepProblem& problem,
-                         const LevelIds& levels, bool smooth) {
-    const FaceMesh& source = mesh.faces[sweep.source.index()];
+TargetMesh mesh_target(const B& b, BoundaryMesh& mesh, const SweepTopology& sweep, const SweepProblem& problem,
+                       const LevelIds& levels, const TargetOptions& options) {
     const CapBoundary boundary = cap_boundary(b, mesh, sweep.target);
     const PositionOf on_boundary(boundary.ids);
-    TargetProblem input;
-    input.source_uv = source.uv;
-    input.quads = problem.quads;
-    input.loops = problem.loops;
-    input.source_nodes = problem.source_nodes;
-    for (const Index id : levels.level(levels.layers)) {
-        const Index at = on_boundary(id);
-        PAVIOR_ASSERT(at != no_node);
-        input.target_boundary_uv.push_back(boundary.uv[at]);
-        input.target_boundary.push_back(mesh.nodes[id]);
+    const std::span<const Index> loop = levels.level(levels.layers);
+    std::vector<Vec2> loop_uv;
+    for (const Index id : loop) {
+        PAVIOR_ASSERT(on_boundary(id) != no_node);
+        loop_uv.push_back(boundary.uv[on_boundary(id)]);
     }
-    TargetOptions options;
-    options.smooth = smooth;
-    TargetMesh projected = project_target(FaceSurface<B>{&b, sweep.target}, input, options);
+    const SourceCap source{problem.source_nodes, mesh.faces[sweep.source.index()].uv, problem.quads, problem.loops};
+    TargetMesh projected =
+        project_target(FaceSurface<B>{&b, sweep.target}, source, loop_uv, positions(mesh, loop), options);
 
     FaceMesh& target = mesh.faces[sweep.target.index()];
     target.nodes.assign(problem.source_nodes.size(), no_node);
-    for (std::size_t i = 0; i < problem.loops.nodes.size(); ++i) {
-        target.nodes[problem.loops.nodes[i]] = levels.level(levels.layers)[i];
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        target.nodes[problem.loops.nodes[i]] = loop[i];
     }
     for (std::size_t i = 0; i < target.nodes.size(); ++i) {
         if (target.nodes[i] == no_node) {
             target.nodes[i] = mesh.add_node(projected.nodes[i]);
         }
     }
-    target.uv = std::move(projected.uv);
+    target.uv = projected.uv;
     target.quads = sweep.target_outward ? problem.quads : flipped(problem.quads);
-    return std::move(projected.report);
+    return projected;
 }
 
 /// Nodes of the target cap in the order of the source, if the mesh that the target has is that of the source.
@@ -156,34 +158,41 @@ template <brep B>
     return ids;
 }
 
-/// Untangles the hexahedra of a solid with the nodes of its boundary fixed.
-inline SmoothReport untangle_solid(BoundaryMesh& mesh, const SolidMesh& solid, const SweepProblem& problem,
-                                   const Execution& execution) {
-    std::vector<Vec3> nodes = positions(mesh, solid.nodes);
-    std::vector<std::uint8_t> fixed(nodes.size(), 0);
-    const std::size_t n = solid.level_size;
-    std::fill(fixed.begin(), fixed.begin() + static_cast<std::ptrdiff_t>(n), std::uint8_t{1});
-    std::fill(fixed.end() - static_cast<std::ptrdiff_t>(n), fixed.end(), std::uint8_t{1});
-    std::vector<HexCorners> hexes;
-    hexes.reserve(solid.layers * solid.quads.size());
-    for (std::size_t k = 0; k < solid.layers; ++k) {
-        for (const Index node : problem.loops.nodes) {
+/// Untangles the hexahedra of a sweep with the nodes of its boundary fixed.
+inline SmoothReport untangle_sweep(SweepMesh& swept, const Loops& loops, const Execution& execution) {
+    std::vector<std::uint8_t> fixed(swept.nodes().size(), 0);
+    const std::size_t n = swept.level_size();
+    for (std::size_t k = 0; k <= swept.layer_count(); ++k) {
+        const bool cap = k == 0 || k == swept.layer_count();
+        std::fill_n(fixed.begin() + static_cast<std::ptrdiff_t>(k * n), cap ? n : 0, std::uint8_t{1});
+        for (const Index node : loops.nodes) {
             fixed[k * n + node] = 1;
         }
-        const auto below = static_cast<Index>(k * n);
-        const auto above = static_cast<Index>((k + 1) * n);
-        for (const QuadCorners& q : solid.quads) {
-            hexes.push_back({below + q[0], below + q[1], below + q[2], below + q[3], above + q[0], above + q[1],
-                             above + q[2], above + q[3]});
-        }
     }
+    std::vector<HexCorners> hexes(swept.hex_count());
+    swept.hexes(hexes);
     UntangleOptions options;
     options.execution = execution;
-    SmoothReport report = untangle_hexes(nodes, hexes, fixed, options);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        mesh.nodes[solid.nodes[i]] = nodes[i];
+    return untangle_hexes(swept.nodes(), hexes, fixed, options);
+}
+
+/// Adds the inner nodes of a sweep to \p mesh; returns the ids of all its nodes, level by level.
+[[nodiscard]] inline std::vector<Index> store_sweep(BoundaryMesh& mesh, const SweepMesh& swept, const Loops& loops,
+                                                    const LevelIds& levels, std::span<const Index> source_ids,
+                                                    std::span<const Index> target_ids) {
+    std::vector<Index> ids(swept.nodes().size(), no_node);
+    std::copy(source_ids.begin(), source_ids.end(), ids.begin());
+    std::copy(target_ids.begin(), target_ids.end(), ids.end() - static_cast<std::ptrdiff_t>(target_ids.size()));
+    for (std::size_t k = 1; k < swept.layer_count(); ++k) {
+        const std::size_t first = k * swept.level_size();
+        for (std::size_t i = 0; i < loops.nodes.size(); ++i) {
+            ids[first + loops.nodes[i]] = levels.level(k)[i];
+        }
+        for (std::size_t i = first; i < first + swept.level_size(); ++i) {
+            ids[i] = ids[i] == no_node ? mesh.add_node(swept.nodes()[i]) : ids[i];
+        }
     }
-    return report;
+    return ids;
 }
 
 }  // namespace detail
@@ -204,39 +213,30 @@ SolidMesh sweep_solid(const B& b, BoundaryMesh& mesh, const SweepTopology& sweep
     problem.quads = sweep.source_outward ? detail::flipped(source.quads) : source.quads;
     problem.loops = detail::local_loops(levels, detail::PositionOf(source.nodes));
     problem.boundary_levels = detail::positions(mesh, levels.ids);
-
-    result.layers = levels.layers;
-    result.level_size = source.nodes.size();
-    result.quads = problem.quads;
-    result.nodes = source.nodes;
     std::vector<Index> target_ids;
     if (mesh.faces[sweep.target.index()].empty()) {
-        result.target = detail::mesh_target(b, mesh, sweep, problem, levels, options.smooth);
+        TargetOptions target_options;
+        target_options.untangle = options.smooth;
+        target_options.correction = options.sweep.correction == BoundaryCorrection::none ? TargetCorrection::never
+                                                                                         : TargetCorrection::always;
+        const TargetMesh target = detail::mesh_target(b, mesh, sweep, problem, levels, target_options);
+        result.target = TargetReport{target.residual, target.folded_by_map.size(), target.folded, target.smooth};
         target_ids = mesh.faces[sweep.target.index()].nodes;
     } else {
         target_ids = detail::match_target(b, mesh, sweep, problem, levels);
     }
     problem.target_nodes = detail::positions(mesh, target_ids);
 
-    const SweepMesh swept = pavior::sweep(problem, options.sweep);
-    result.sweep = swept.report();
-    std::vector<Vec3> level(result.level_size);
-    std::vector<Index> ids(result.level_size);
-    for (std::size_t k = 1; k < levels.layers; ++k) {
-        std::fill(ids.begin(), ids.end(), no_node);
-        for (std::size_t i = 0; i < problem.loops.nodes.size(); ++i) {
-            ids[problem.loops.nodes[i]] = levels.level(k)[i];
-        }
-        swept.level(k, level);
-        for (std::size_t i = 0; i < ids.size(); ++i) {
-            ids[i] = ids[i] == no_node ? mesh.add_node(level[i]) : ids[i];
-        }
-        result.nodes.insert(result.nodes.end(), ids.begin(), ids.end());
-    }
-    result.nodes.insert(result.nodes.end(), target_ids.begin(), target_ids.end());
+    SweepResult swept = pavior::sweep(problem, options.sweep);
     if (options.smooth) {
-        result.smooth = detail::untangle_solid(mesh, result, problem, options.sweep.execution);
+        result.smooth = detail::untangle_sweep(swept.mesh, problem.loops, options.sweep.execution);
     }
+    result.layers = levels.layers;
+    result.level_size = problem.source_nodes.size();
+    result.nodes = detail::store_sweep(mesh, swept.mesh, problem.loops, levels, mesh.faces[sweep.source.index()].nodes,
+                                       target_ids);
+    result.quads = std::move(problem.quads);
+    result.sweep = std::move(swept.report);
     return result;
 }
 

@@ -64,6 +64,7 @@ struct LinkingSide {
 /// How well shaped a sweep promises to be; the terms by which candidates are ranked (see `better_sweep`).
 struct SweepShape {
     double corner_deviation = 0.0;  ///< largest |interior angle - 90| of a corner of a linking side, degrees
+    double cap_deviation = 0.0;     ///< largest |angle inside the solid between cap and linking side - 90|, degrees
     double rib_ratio = 1.0;         ///< longest over shortest way from source to target along the ribs
     double rib_turn = 0.0;          ///< largest turning of one rib, degrees
     double cap_warp = 0.0;          ///< largest angle between normals along the boundary of one cap, degrees

@@ -8,7 +8,7 @@
 
 namespace pavior {
 
-/// chi(eps, det) = (det + sqrt(eps^2 + det^2)) / 2 > 0, eq. (4) of \cite garanzha2021: next to det where det >> eps,
+/// chi(eps, det) = (det + sqrt(eps^2 + det^2)) / 2 > 0, \cite garanzha2021: next to det where det >> eps,
 /// next to eps^2 / (4 |det|) where det << -eps. Computed without cancellation; det itself for eps = 0 and det > 0.
 [[nodiscard]] inline double foldover_chi(double epsilon, double det) {
     const double root = std::sqrt(epsilon * epsilon + det * det);
@@ -43,7 +43,7 @@ struct Distortion {
 };
 
 /// W(J) = (tr(J^T J) / chi^(2/d) + theta (1 + det^2) / chi) / (d + 2 theta), chi = chi(epsilon, det J): 1 for rotations,
-/// at least 1 for det J > 0 and epsilon = 0, eqs. (2) and (4) of \cite garanzha2021.
+/// at least 1 for det J > 0 and epsilon = 0, \cite garanzha2021.
 /// \param J           d x d Jacobian, d = 2 or 3, from the ideal to the actual simplex.
 /// \param epsilon     >= 0; > 0 if det J may be <= 0.
 /// \param derivative  dW/dJ, d x d.

@@ -4,7 +4,7 @@
 
 #include <pavior/math/point.hpp>
 #include <pavior/mesh/cells.hpp>
-#include <pavior/smooth/cartesian_model.hpp>
+#include <pavior/smooth/detail/cartesian_model.hpp>
 #include <pavior/smooth/options.hpp>
 #include <pavior/smooth/report.hpp>
 

@@ -41,7 +41,7 @@ struct SmoothReport {
     double min_det_before = 1.0;
     double min_det_after = 1.0;
     int iterations = 0;           ///< iterations of the minimiser, all attempts together
-    std::size_t moved_nodes = 0;  ///< nodes whose coordinates differ from the input's
+    std::size_t moved_nodes = 0;  ///< nodes that were given a new place
 };
 
 }  // namespace pavior

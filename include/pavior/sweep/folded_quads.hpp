@@ -10,7 +10,6 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -93,23 +92,25 @@ template <parametric_surface S>
     return ids;
 }
 
-/// Ids of the quads folded on a surface: in the parameter plane, or in space seen from the surface's normal in the
-/// middle of the quad (the other side if \p reversed; not looked at where the surface has no normal).
+/// Ids of the quads folded on a surface, in space: seen from the surface's normal in the middle of the quad (the other
+/// side if \p reversed). Where the surface has no normal the parameter plane decides.
 /// \param nodes positions of the nodes, those of \p uv on the surface
 /// O(quads), one evaluation of derivatives each.
 template <parametric_surface S>
 [[nodiscard]] std::vector<Index> folded_surface_quads(const S& surface, std::span<const Vec3> nodes,
                                                       std::span<const Vec2> uv, std::span<const QuadCorners> quads,
                                                       bool reversed = false) {
-    const std::vector<Index> in_plane = folded_plane_quads(uv, quads, reversed);
     std::vector<Index> ids;
     for (std::size_t q = 0; q < quads.size(); ++q) {
-        bool folded = std::binary_search(in_plane.begin(), in_plane.end(), static_cast<Index>(q));
-        if (!folded) {
-            Vec3 normal = detail::quad_surface_normal(surface, detail::gather(uv, quads[q]));
-            normal = reversed ? Vec3(-normal) : normal;
+        const QuadPoints2 in_plane = detail::gather(uv, quads[q]);
+        Vec3 normal = detail::quad_surface_normal(surface, in_plane);
+        normal = reversed ? Vec3(-normal) : normal;
+        bool folded = false;
+        if (normal == Vec3::Zero()) {
+            folded = !folded_plane_quads(uv, quads.subspan(q, 1), reversed).empty();
+        } else {
             const QuadPoints x = detail::gather(nodes, quads[q]);
-            folded = normal != Vec3::Zero() && detail::folded(x, quad_corner_areas(x, normal));
+            folded = detail::folded(x, quad_corner_areas(x, normal));
         }
         if (folded) {
             ids.push_back(static_cast<Index>(q));
@@ -118,8 +119,38 @@ template <parametric_surface S>
     return ids;
 }
 
-/// Ids of the quads of a grid in space that fold without knowing a surface: a corner is inverted as seen from the
-/// quad's own normal, or that normal is nearly opposite to the sum of its neighbours' vector areas. O(quads).
+namespace detail {
+
+/// Is the vector area of quad (i, k) nearly opposite to that of each of its two or more neighbours?
+[[nodiscard]] inline bool turned_over(const std::vector<Vec3>& areas, std::size_t columns, std::size_t rows,
+                                      std::size_t q) {
+    int neighbours = 0;
+    bool opposite = true;
+    const auto look = [&](std::size_t other) {
+        ++neighbours;
+        opposite = opposite && areas[q].dot(areas[other]) < -0.9 * areas[q].norm() * areas[other].norm();
+    };
+    const std::size_t i = q % columns;
+    const std::size_t k = q / columns;
+    if (i > 0) {
+        look(q - 1);
+    }
+    if (i + 1 < columns) {
+        look(q + 1);
+    }
+    if (k > 0) {
+        look(q - columns);
+    }
+    if (k + 1 < rows) {
+        look(q + columns);
+    }
+    return neighbours > 1 && opposite;
+}
+
+}  // namespace detail
+
+/// Ids of the quads of a grid in space that fold as far as one can tell without a surface: a corner is inverted as seen
+/// from the quad's own normal, or that normal is nearly opposite to those of all its neighbours. O(quads).
 [[nodiscard]] inline std::vector<Index> folded_grid_quads(const StructuredGrid<Vec3>& grid) {
     const std::vector<QuadCorners> quads = structured_quads(grid.columns, grid.rows);
     const std::span<const Vec3> nodes(grid.nodes);
@@ -129,15 +160,9 @@ template <parametric_surface S>
     }
     std::vector<Index> ids;
     for (std::size_t q = 0; q < quads.size(); ++q) {
-        const std::size_t i = q % grid.columns;
-        const std::size_t k = q / grid.columns;
-        Vec3 around = Vec3::Zero();
-        around += i > 0 ? areas[q - 1] : Vec3(Vec3::Zero());
-        around += i + 1 < grid.columns ? areas[q + 1] : Vec3(Vec3::Zero());
-        around += k > 0 ? areas[q - grid.columns] : Vec3(Vec3::Zero());
-        around += k + 1 < grid.rows ? areas[q + grid.columns] : Vec3(Vec3::Zero());
         const QuadPoints x = detail::gather(nodes, quads[q]);
-        if (detail::folded(x, quad_corner_areas(x)) || areas[q].dot(around) < -0.9 * areas[q].norm() * around.norm()) {
+        if (detail::folded(x, quad_corner_areas(x, quad_normal(x))) ||
+            detail::turned_over(areas, grid.columns, grid.rows, q)) {
             ids.push_back(static_cast<Index>(q));
         }
     }

@@ -6,6 +6,7 @@
 #include <pavior/mesh/boundary_loops.hpp>
 #include <pavior/mesh/cells.hpp>
 #include <pavior/mesh/mesh_access.hpp>
+#include <pavior/mesh/span_mesh.hpp>
 #include <pavior/sweep/level_points.hpp>
 
 #include <cstddef>

@@ -2,10 +2,10 @@
 /// \file
 /// Untangling where the nodes move freely in the plane (quads) or in space (hexahedra).
 
-#include <pavior/smooth/cell_energy.hpp>
-#include <pavior/smooth/foldover.hpp>
+#include <pavior/smooth/detail/cell_energy.hpp>
+#include <pavior/smooth/detail/foldover.hpp>
 #include <pavior/smooth/lbfgs.hpp>
-#include <pavior/smooth/untangle.hpp>
+#include <pavior/smooth/detail/untangle.hpp>
 
 #include <Eigen/Core>
 
@@ -69,21 +69,20 @@ public:
         }
     }
 
-    int solve(const Patch<D>& patch, bool optimise) {
+    int solve(const Patch<D>& patch, double wanted) {
         const Frame frame = frame_of(patch);
         CellEnergy<D> energy(coordinates(patch, frame), patch.cells, patch.free_count, samples_, options_.execution);
         if (!reference_.empty()) {
             set_ideal(energy, patch);
         }
         const FoldoverOptions limits{options_.max_iterations, options_.inner_iterations, options_.theta};
-        Eigen::VectorXd x = energy.free_nodes();
-        const Eigen::VectorXd start = x;
-        FoldoverResult done = minimise_foldover(energy, x, limits, lbfgs_);
-        write(patch, frame, x);
-        if (optimise) {
-            done.iterations += raise_minimum(energy, patch, frame, done.valid ? x : start, limits);
+        const Eigen::VectorXd start = energy.free_nodes();
+        Eigen::VectorXd x = start;
+        const int iterations = solve_patch(energy, x, wanted, limits, lbfgs_);
+        if (x != start) {
+            write(patch, frame, x);
         }
-        return done.iterations;
+        return iterations;
     }
 
 private:
@@ -179,37 +178,6 @@ private:
             result.col(static_cast<Eigen::Index>(k)) = reference_[cell[k]] - reference_[cell[0]];
         }
         return result / reference_unit_;
-    }
-
-    /// Continues from a valid x to raise the smallest determinant; leaves the best of all in the nodes.
-    int raise_minimum(CellEnergy<D>& energy, const Patch<D>& patch, const Frame& frame, Eigen::VectorXd x,
-                      const FoldoverOptions& limits) {
-        Eigen::VectorXd best = x;
-        double best_quality = patch_quality(patch, frame, best);
-        Eigen::VectorXd gradient(x.size());
-        if (!(energy.evaluate(x, {0.0, limits.theta, 0.0}, gradient).min_det > 0.0)) {
-            return 0;
-        }
-        const int iterations =
-            minimise_largest_distortion(energy, x, limits, lbfgs_, [&](const Eigen::VectorXd& at) {
-                const double now = patch_quality(patch, frame, at);
-                if (now > best_quality) {
-                    best_quality = now;
-                    best = at;
-                }
-                return true;
-            });
-        write(patch, frame, best);
-        return iterations;
-    }
-
-    double patch_quality(const Patch<D>& patch, const Frame& frame, const Eigen::VectorXd& x) {
-        write(patch, frame, x);
-        double least = 1.0;
-        for (const Index c : patch.cell_ids) {
-            least = std::min(least, quality(c));
-        }
-        return least;
     }
 
     std::span<Vector> nodes_;

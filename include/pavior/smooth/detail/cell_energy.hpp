@@ -4,7 +4,7 @@
 
 #include <pavior/core/execution.hpp>
 #include <pavior/core/index.hpp>
-#include <pavior/smooth/cell_shape.hpp>
+#include <pavior/smooth/detail/cell_shape.hpp>
 #include <pavior/smooth/distortion.hpp>
 
 #include <Eigen/Core>
@@ -17,7 +17,7 @@
 #include <limits>
 #include <vector>
 
-namespace pavior {
+namespace pavior::detail {
 
 /// Energy of a patch at one point.
 struct EnergyValue {
@@ -107,6 +107,19 @@ public:
         }
         const double least = 1e-12 * result.maxCoeff() + std::numeric_limits<double>::min();
         result = result.cwiseMax(least);
+    }
+
+    /// Smallest scaled determinant over the simplices that depend on a free node; 1 if there is none.
+    [[nodiscard]] double quality(const Eigen::VectorXd& x) {
+        std::copy_n(x.data(), x.size(), points_.data());
+        double least = 1.0;
+        for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+            const CellPoints<D> points = gather_points(cell);
+            for (std::uint32_t left = active_[cell]; left != 0; left &= left - 1) {
+                least = std::min(least, scaled_determinant<D>(jacobian(cell, std::countr_zero(left), points)));
+            }
+        }
+        return least;
     }
 
     /// Called before each step of epsilon; nothing to do here.
@@ -298,4 +311,4 @@ private:
     std::vector<EnergyValue> partial_;
 };
 
-}  // namespace pavior
+}  // namespace pavior::detail

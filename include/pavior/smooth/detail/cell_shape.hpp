@@ -15,7 +15,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace pavior {
+namespace pavior::detail {
 
 /// Corners of the cells of dimension D and the neighbours of each: the simplex (corner, neighbours in order) of a
 /// well-shaped cell is positive.
@@ -45,7 +45,6 @@ using CellPoints = Eigen::Matrix<double, D, CellTopology<D>::corners>;
 /// Derivatives of the eight trilinear shape functions at a point of [0, 1]^3.
 using HexGradient = std::array<std::array<double, 3>, 8>;
 
-namespace detail {
 constexpr HexGradient hex_gradient(double u, double v, double w) {
     HexGradient gradient{};
     for (std::size_t k = 0; k < 8; ++k) {
@@ -71,10 +70,9 @@ constexpr std::array<HexGradient, 19> make_hex_samples() {
     }
     return samples;
 }
-}  // namespace detail
 
 /// Points of a hexahedron besides its corners: the centre first, then the middles of edges and faces.
-inline constexpr std::array<HexGradient, 19> hex_samples = detail::make_hex_samples();
+inline constexpr std::array<HexGradient, 19> hex_samples = make_hex_samples();
 
 /// Number of samples of hex_samples that \p positivity asks for; none for quads.
 template <int D>
@@ -163,4 +161,4 @@ template <int D>
     }
 }
 
-}  // namespace pavior
+}  // namespace pavior::detail

@@ -3,7 +3,7 @@
 /// Patches of cells round seeds: what may move when a few cells are repaired.
 
 #include <pavior/core/index.hpp>
-#include <pavior/smooth/cell_shape.hpp>
+#include <pavior/smooth/detail/cell_shape.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace pavior {
+namespace pavior::detail {
 
 /// Some free nodes and every cell that uses one of them.
 template <int D>
@@ -176,4 +176,4 @@ private:
     std::vector<std::uint8_t> taken_;
 };
 
-}  // namespace pavior
+}  // namespace pavior::detail

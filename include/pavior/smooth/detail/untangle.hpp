@@ -6,9 +6,9 @@
 #include <pavior/core/execution.hpp>
 #include <pavior/core/index.hpp>
 #include <pavior/core/progress.hpp>
-#include <pavior/smooth/cell_shape.hpp>
+#include <pavior/smooth/detail/cell_shape.hpp>
 #include <pavior/smooth/options.hpp>
-#include <pavior/smooth/patch.hpp>
+#include <pavior/smooth/detail/patch.hpp>
 #include <pavior/smooth/report.hpp>
 
 #include <Eigen/Core>
@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace pavior {
+namespace pavior::detail {
 
 /// A cell is inverted unless its smallest scaled determinant is above this.
 inline constexpr double inverted_tolerance = 1e-12;
@@ -29,21 +29,20 @@ inline constexpr double inverted_tolerance = 1e-12;
 /// M moves nodes of cells of dimension D:
 /// 1. m.quality(c) is the smallest scaled determinant of cell c as it is;
 /// 2. m.hopeless(c) tells that cell c is inverted whatever the free nodes do;
-/// 3. m.solve(patch, optimise) moves the free nodes of the patch and returns the iterations done; with `optimise` it
-///    goes on to raise the minimum;
+/// 3. m.solve(patch, wanted) moves the free nodes of the patch until it is valid and its smallest determinant reaches
+///    `wanted`, or does what it can, and returns the iterations done;
 /// 4. m.save(patch) and m.restore(patch) keep and bring back, to the bit, the free nodes of one patch;
 /// 5. (not checkable) quality and hopeless may be called from several threads if m.concurrent() is true.
 template <class M, int D>
 concept smoothing_model = requires(M& m, Index c, const Patch<D>& patch) {
     { m.quality(c) } -> std::convertible_to<double>;
     { m.hopeless(c) } -> std::convertible_to<bool>;
-    { m.solve(patch, true) } -> std::convertible_to<int>;
+    { m.solve(patch, 1.0) } -> std::convertible_to<int>;
     m.save(patch);
     m.restore(patch);
     { m.concurrent() } -> std::convertible_to<bool>;
 };
 
-namespace detail {
 
 template <int D>
 void check_cells(std::span<const CellCorners<D>> cells, std::size_t node_count, std::size_t fixed_count) {
@@ -78,7 +77,7 @@ class Untangler {
 public:
     Untangler(Model& model, std::span<const CellCorners<D>> cells, std::span<const std::uint8_t> fixed,
               const UntangleOptions& options)
-        : model_(model), options_(options), cells_(cells), fixed_(fixed), quality_(cells.size()) {}
+        : model_(model), options_(options), cells_(cells), fixed_(fixed), quality_(cells.size()), moved_(fixed.size(), 0), seed_at_(cells.size(), 0) {}
 
     SmoothReport run() {
         scan();
@@ -99,10 +98,12 @@ public:
     }
 
 private:
-    /// An inverted cell on which work goes on, and how many attempts in a row brought nothing.
+    /// A cell on which work goes on: how few inverted cells an attempt round it has left so far, and how many attempts
+    /// in a row brought nothing.
     struct Seed {
         Index cell;
-        int idle;
+        std::size_t fewest = static_cast<std::size_t>(-1);
+        int idle = 0;
     };
     struct Score {
         std::size_t inverted = 0;
@@ -148,7 +149,7 @@ private:
         for (std::size_t c = 0; c < cells_.size(); ++c) {
             const Index id = static_cast<Index>(c);
             if (inverted(id) && !model_.hopeless(id)) {
-                seeds.push_back({id, 0});
+                seeds.push_back({id});
             }
         }
         const double total = static_cast<double>(seeds.size());
@@ -162,43 +163,66 @@ private:
     /// One attempt per patch round the seeds; the seeds that deserve another.
     std::vector<Seed> repair_round(PatchFinder<D>& finder, const std::vector<Seed>& seeds, int rings) {
         std::vector<Index> ids;
-        for (const Seed& seed : seeds) {
-            ids.push_back(seed.cell);
+        for (std::size_t k = 0; k < seeds.size(); ++k) {
+            ids.push_back(seeds[k].cell);
+            seed_at_[seeds[k].cell] = static_cast<Index>(k);
         }
         std::vector<Seed> left;
         for (const Patch<D>& patch : finder.find(ids, rings)) {
-            const bool gained = attempt(patch, false);
-            const Score now = score(patch);
-            if (patch.complete || (now.inverted == 0 && now.least >= options_.sufficient_det)) {
-                continue;
-            }
-            for (const Seed& seed : seeds) {
-                const bool here = std::binary_search(patch.cell_ids.begin(), patch.cell_ids.end(), seed.cell);
-                const int idle = gained ? 0 : seed.idle + 1;
-                const bool wanted = now.inverted != 0 ? inverted(seed.cell) && idle < 5 : gained || rings == 1;
-                if (here && wanted) {
-                    left.push_back({seed.cell, idle});
+            std::vector<Seed> here;
+            for (const Index c : patch.cell_ids) {
+                const Index k = seed_at_[c];
+                if (k < seeds.size() && seeds[k].cell == c) {
+                    here.push_back(seeds[k]);
                 }
             }
+            repair_patch(patch, here);
+            left.insert(left.end(), here.begin(), here.end());
         }
         return left;
     }
 
-    /// Solves one patch and keeps the outcome if it is better: fewer inverted cells, or none and a larger minimum.
-    bool attempt(const Patch<D>& patch, bool optimise) {
+    /// One attempt on a patch; \p seeds loses those that need no other or would not gain from it. What is not repaired
+    /// goes back, so that the next attempt starts from the input; unless this is the last: then fewer count.
+    void repair_patch(const Patch<D>& patch, std::vector<Seed>& seeds) {
         const Score before = score(patch);
-        model_.save(patch);
-        iterations_ += model_.solve(patch, optimise);
-        measure(patch);
-        const Score after = score(patch);
-        const double wanted = optimise ? before.least : before.least + 0.1 * std::abs(before.least);
-        if (after.inverted < before.inverted || (after.inverted == before.inverted && after.least > wanted &&
-                                                 (optimise || after.inverted == 0))) {
-            return true;
+        const Score after = try_patch(patch, options_.sufficient_det);
+        const bool tangled = after.inverted > hopeless_in(patch);
+        const bool better = after.inverted < before.inverted ||
+                            (after.inverted == 0 && after.least > before.least + 0.1 * std::abs(before.least));
+        bool last = patch.complete;
+        for (Seed& seed : seeds) {
+            const bool gained = tangled ? after.inverted < seed.fewest : better;
+            seed.idle = gained ? 0 : seed.idle + 1;
+            seed.fewest = std::min(seed.fewest, after.inverted);
+            last = last || seed.idle >= (tangled && patch.cells.size() <= large_patch ? 8 : 2);
         }
-        model_.restore(patch);
+        keep(patch, better && (!tangled || last));
+        if (last || (!tangled && (after.inverted != 0 || after.least >= options_.sufficient_det))) {
+            seeds.clear();
+        }
+    }
+
+    /// Moves the nodes of a patch; what was is saved.
+    Score try_patch(const Patch<D>& patch, double wanted) {
+        model_.save(patch);
+        iterations_ += model_.solve(patch, wanted);
         measure(patch);
-        return false;
+        return score(patch);
+    }
+
+    void keep(const Patch<D>& patch, bool accepted) {
+        if (accepted) {
+            std::for_each_n(patch.nodes.begin(), patch.free_count, [&](Index i) { moved_[i] = 1; });
+        } else {
+            model_.restore(patch);
+            measure(patch);
+        }
+    }
+
+    [[nodiscard]] std::size_t hopeless_in(const Patch<D>& patch) const {
+        return static_cast<std::size_t>(std::count_if(patch.cell_ids.begin(), patch.cell_ids.end(),
+                                                      [&](Index c) { return inverted(c) && model_.hopeless(c); }));
     }
 
     void optimise(PatchFinder<D>& finder) {
@@ -208,7 +232,10 @@ private:
         }
         report(options_.progress, "smooth", 0.0);
         for (const Patch<D>& patch : finder.find(all, 1)) {
-            attempt(patch, true);
+            const Score before = score(patch);
+            const Score after = try_patch(patch, 1.0);
+            keep(patch, after.inverted < before.inverted ||
+                            (after.inverted == before.inverted && after.least >= before.least));
         }
         report(options_.progress, "smooth", 1.0);
     }
@@ -216,6 +243,7 @@ private:
     void finish(SmoothReport& result) const {
         result.inverted_after = count_inverted();
         result.min_det_after = least();
+        result.moved_nodes = static_cast<std::size_t>(std::count(moved_.begin(), moved_.end(), std::uint8_t{1}));
         for (std::size_t c = 0; c < cells_.size() && result.inverted_ids.size() < options_.max_ids; ++c) {
             if (inverted(static_cast<Index>(c))) {
                 result.inverted_ids.push_back(static_cast<Index>(c));
@@ -223,18 +251,21 @@ private:
         }
         result.status = result.inverted_after != 0    ? SmoothStatus::still_inverted
                         : result.inverted_before != 0 ? SmoothStatus::repaired
+                        : result.moved_nodes != 0     ? SmoothStatus::improved
                                                       : SmoothStatus::unchanged;
     }
 
     static constexpr int all_rings = 1 << 30;
+    static constexpr std::size_t large_patch = 5000;
 
     Model& model_;
     const UntangleOptions& options_;
     std::span<const CellCorners<D>> cells_;
     std::span<const std::uint8_t> fixed_;
     std::vector<double> quality_;
+    std::vector<std::uint8_t> moved_;
+    std::vector<Index> seed_at_;
     int iterations_ = 0;
 };
 
-}  // namespace detail
-}  // namespace pavior
+}  // namespace pavior::detail

@@ -3,7 +3,7 @@
 /// The foldover-free continuation: minimise, lower epsilon, until nothing is inverted.
 
 #include <pavior/core/progress.hpp>
-#include <pavior/smooth/cell_energy.hpp>
+#include <pavior/smooth/detail/cell_energy.hpp>
 #include <pavior/smooth/lbfgs.hpp>
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pavior {
+namespace pavior::detail {
 
 /// Limits of one continuation.
 struct FoldoverOptions {
@@ -26,7 +26,7 @@ struct FoldoverResult {
     int iterations = 0;  ///< of L-BFGS
 };
 
-/// Next epsilon of \cite garanzha2021 (theorem 1): with \p decrease = max(1/10, 1 - F_new / F_old) the determinants
+/// Next epsilon of \cite garanzha2021: with \p decrease = max(1/10, 1 - F_new / F_old) the determinants
 /// become positive after finitely many steps if every step minimises well enough and a valid mesh exists.
 [[nodiscard]] inline double next_epsilon(double epsilon, double min_det, double energy_before, double energy_after) {
     const double decrease = std::max(0.1, 1.0 - energy_after / energy_before);
@@ -85,30 +85,58 @@ FoldoverResult minimise_foldover(Energy& energy, Eigen::VectorXd& x, const Foldo
     return result;
 }
 
-/// Lowers the largest distortion of a valid x: minimises the sum of W / (1 - t W), t next to 1 / max W, again and again.
-/// \param accept  called with every new x; true: go on.
-template <class Energy, class Accept>
-int minimise_largest_distortion(Energy& energy, Eigen::VectorXd& x, const FoldoverOptions& options, Lbfgs& lbfgs,
-                                Accept&& accept) {
-    int iterations = 0;
+/// Raises the smallest scaled determinant of a valid x by lowering the largest distortion: minimises the sum of
+/// W / (1 - t W), t next to 1 / max W, again and again. x becomes the best point met, never one with a smaller minimum.
+/// Energy: as for minimise_foldover(), and quality(x). \param wanted  end as soon as the minimum reaches this.
+/// \return iterations of L-BFGS; 0 if x is not valid.
+template <class Energy>
+int raise_minimum(Energy& energy, Eigen::VectorXd& x, double wanted, const FoldoverOptions& options, Lbfgs& lbfgs) {
     Eigen::VectorXd gradient(x.size());
     Eigen::VectorXd diagonal(x.size());
+    Eigen::VectorXd at = x;
     EnergyMode mode{0.0, options.theta, 0.0};
-    double largest = energy.evaluate(x, mode, gradient).max_distortion;
-    for (int k = 0; k < 12; ++k) {
+    EnergyValue now = energy.evaluate(x, mode, gradient);
+    double best = energy.quality(x);
+    int iterations = 0;
+    for (int k = 0; k < 20 && now.min_det > 0.0 && best < wanted; ++k) {
+        const double largest = now.max_distortion;
         mode.ceiling = 0.95 / largest;
-        energy.diagonal(x, mode, diagonal);
-        const auto value = [&](const Eigen::VectorXd& at, Eigen::VectorXd& slope) {
-            return energy.evaluate(at, mode, slope).energy;
+        energy.diagonal(at, mode, diagonal);
+        const auto value = [&](const Eigen::VectorXd& point, Eigen::VectorXd& slope) {
+            return energy.evaluate(point, mode, slope).energy;
         };
-        iterations += lbfgs.minimise(x, value, {options.inner_iterations, 1e-5, 1e-10}, diagonal).iterations;
-        const double now = energy.evaluate(x, mode, gradient).max_distortion;
-        if (!accept(x) || now > 0.99 * largest) {
+        iterations += lbfgs.minimise(at, value, {options.inner_iterations, 1e-4, 1e-10}, diagonal).iterations;
+        now = energy.evaluate(at, mode, gradient);
+        const double quality = energy.quality(at);
+        if (quality > best) {
+            best = quality;
+            x = at;
+        }
+        if (now.max_distortion > 0.99 * largest) {
             break;
         }
-        largest = now;
     }
     return iterations;
 }
 
-}  // namespace pavior
+/// The whole of one attempt: untangles x, then raises the minimum until it reaches \p wanted. A valid x stays valid and
+/// never gets a smaller minimum. \return iterations of L-BFGS.
+template <class Energy>
+int solve_patch(Energy& energy, Eigen::VectorXd& x, double wanted, const FoldoverOptions& options, Lbfgs& lbfgs) {
+    Eigen::VectorXd gradient(x.size());
+    energy.refresh(x);
+    const bool valid = energy.evaluate(x, {0.0, options.theta, 0.0}, gradient).min_det > 0.0;
+    Eigen::VectorXd fresh = x;
+    const FoldoverResult result = minimise_foldover(energy, fresh, options, lbfgs);
+    int iterations = result.iterations;
+    if (result.valid) {
+        iterations += raise_minimum(energy, fresh, wanted, options, lbfgs);
+    }
+    if (valid && (!result.valid || energy.quality(fresh) < energy.quality(x))) {
+        return iterations + raise_minimum(energy, x, wanted, options, lbfgs);
+    }
+    x = fresh;
+    return iterations;
+}
+
+}  // namespace pavior::detail

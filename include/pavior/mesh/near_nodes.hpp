@@ -1,0 +1,127 @@
+#pragma once
+/// \file
+/// Nodes that lie in the place of another one.
+
+#include <pavior/mesh/mesh_access.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace pavior {
+
+/// Smallest box around the finite nodes of a mesh; low > high if there is none.
+struct Bounds {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+    Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+
+    [[nodiscard]] double diagonal() const { return low.x() <= high.x() ? (high - low).stableNorm() : 0.0; }
+    [[nodiscard]] Vec3 centre() const {
+        return low.x() <= high.x() ? Vec3(low + (high - low) / 2.0) : Vec3(Vec3::Zero());
+    }
+};
+
+/// O(n).
+template <vertex_mesh M>
+[[nodiscard]] Bounds bounds(const M& mesh) {
+    Bounds box;
+    for (const Index i : IndexRange(node_count(mesh))) {
+        const Vec3 x = node(mesh, i);
+        if (x.allFinite()) {
+            box.low = box.low.cwiseMin(x);
+            box.high = box.high.cwiseMax(x);
+        }
+    }
+    return box;
+}
+
+namespace detail {
+/// A node in a cell of the grid; `ghost`: it lies in a neighbour, within reach of this one.
+struct GridEntry {
+    std::uint64_t cell = 0;
+    Index node = 0;
+    bool ghost = false;
+};
+
+/// Grid of cells 16 distances wide, shifted by half a cell so that the nodes on the low sides of the box lie mid-cell.
+class NodeGrid {
+public:
+    NodeGrid(const Vec3& low, double distance) : low_(low), cell_(16.0 * distance) {}
+
+    /// Appends the node to its cell and to those that are nearer than the distance.
+    void add(const Vec3& x, Index node, std::vector<GridEntry>& entries) const {
+        std::array<std::array<std::int64_t, 2>, 3> cells{};
+        std::array<std::size_t, 3> counts{1, 1, 1};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto a = static_cast<Eigen::Index>(axis);
+            const double at = (x[a] - low_[a]) / cell_ + 0.5;
+            const double base = std::floor(at);
+            cells[axis][0] = static_cast<std::int64_t>(base);
+            constexpr double reach = 1.001 / 16.0;
+            if (at - base <= reach || at - base >= 1.0 - reach) {
+                cells[axis][counts[axis]++] = cells[axis][0] + (at - base <= reach ? -1 : 1);
+            }
+        }
+        for (std::size_t i = 0; i < counts[0]; ++i) {
+            for (std::size_t j = 0; j < counts[1]; ++j) {
+                for (std::size_t k = 0; k < counts[2]; ++k) {
+                    entries.push_back({hash(cells[0][i], cells[1][j], cells[2][k]), node, i + j + k != 0});
+                }
+            }
+        }
+    }
+
+private:
+    [[nodiscard]] static std::uint64_t hash(std::int64_t i, std::int64_t j, std::int64_t k) {
+        std::uint64_t h = 0;
+        for (const std::int64_t part : {i, j, k}) {
+            h = (h ^ static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15U;
+            h ^= h >> 29U;
+        }
+        return h;
+    }
+
+    Vec3 low_;
+    double cell_;
+};
+}  // namespace detail
+
+/// Pairs {node, earlier node} of nodes not farther apart than \p distance >= 0, one for each node that has an earlier
+/// one there (the smallest id), ascending by node. Distances below 1e-15 times the diagonal of the mesh count as that.
+/// Nodes that are not finite are left out. O(n log n) by sorting cells of a grid, about 35 bytes a node.
+template <vertex_mesh M>
+[[nodiscard]] std::vector<std::array<Index, 2>> near_nodes(const M& mesh, double distance) {
+    const Bounds box = bounds(mesh);
+    const double reach = std::max(distance, 1e-15 * box.diagonal());
+    const detail::NodeGrid grid(box.low, reach > 0.0 ? reach : 1.0);
+    std::vector<detail::GridEntry> entries;
+    entries.reserve(node_count(mesh) + node_count(mesh) / 2);
+    for (const Index i : IndexRange(node_count(mesh))) {
+        const Vec3 x = node(mesh, i);
+        if (x.allFinite()) {
+            grid.add(x, i, entries);
+        }
+    }
+    std::sort(entries.begin(), entries.end(), [](const detail::GridEntry& a, const detail::GridEntry& b) {
+        return a.cell != b.cell ? a.cell < b.cell : a.node < b.node;
+    });
+    std::vector<std::array<Index, 2>> pairs;
+    for (std::size_t begin = 0, at = 0; at < entries.size(); ++at) {
+        begin = entries[at].cell == entries[begin].cell ? begin : at;
+        for (std::size_t i = begin; i < at && !entries[at].ghost; ++i) {
+            if ((node(mesh, entries[i].node) - node(mesh, entries[at].node)).stableNorm() <= reach) {
+                pairs.push_back({entries[at].node, entries[i].node});
+                break;
+            }
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+}  // namespace pavior

@@ -1,0 +1,116 @@
+#pragma once
+/// \file
+/// Interval assignment: how many mesh edges each edge of a model gets, so that swept solids can be meshed and fit
+/// together.
+
+#include <pavior/core/error.hpp>
+#include <pavior/model/integer_program.hpp>
+#include <pavior/model/interval_rules.hpp>
+#include <pavior/model/solve_intervals.hpp>
+#include <pavior/model/sweep_topology.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pavior {
+
+struct IntervalAssignment {
+    std::vector<int> intervals;  ///< per edge id; 0 for edges that bound none of the solids
+    std::vector<int> layers;     ///< per sweep
+    double objective = 0.0;      ///< sum of interval_cost over the edges
+    double mean_ratio = 1.0;     ///< mean of max(n / wish, wish / n)
+    double worst_ratio = 1.0;    ///< largest of them
+    EdgeId worst_edge;           ///< where
+    bool optimal = true;         ///< proven within the solver's gap
+    bool angles_kept = true;     ///< max_angle holds everywhere
+};
+
+namespace detail {
+
+[[nodiscard]] inline UnmeshableError conflict_error(const IntervalSystem& system, const IntervalResult& result) {
+    if (result.conflict.empty()) {
+        return {ErrorCode::infeasible_intervals, "no numbers of intervals were found in the time allowed"};
+    }
+    std::string text = "these demands contradict each other:";
+    std::set<int> faces;
+    for (const std::size_t i : result.conflict) {
+        text += "\n  " + system.rules[i].text;
+        faces.insert(system.rules[i].faces.begin(), system.rules[i].faces.end());
+    }
+    return {ErrorCode::infeasible_intervals, text, Error::Ids(faces.begin(), faces.end())};
+}
+
+/// Solves; gives up the angles where they contradict what is prescribed.
+template <class Solver>
+[[nodiscard]] IntervalResult solve_relaxing_angles(IntervalSystem& system, Solver& solver, bool& angles_kept) {
+    IntervalResult result = solve_intervals(system, solver);
+    if (result.numbers.empty() && !system.edges.empty()) {
+        for (IntervalEdge& edge : system.edges) {
+            edge.lower = 1;
+        }
+        result = solve_intervals(system, solver);
+        angles_kept = false;
+        if (result.numbers.empty()) {
+            throw conflict_error(system, result);
+        }
+    }
+    return result;
+}
+
+}  // namespace detail
+
+/// Assigns numbers of intervals to all edges of the solids of \p sweeps (one model, each solid at most once), the
+/// solids taken together so that shared edges agree:
+/// opposite logical sides of every linking side are equal, all loops of a solid have the same number of layers, every
+/// loop of a cap is even and has at least min_loop intervals. Among all such numbers the sum of interval_cost, the
+/// relative deviation from length / size, is least (within the solver's gap). The wish of an edge is at least its
+/// turning over max_angle, and at least 1.
+/// A cap that is a linking side of another solid thus gets equal opposite sides as well.
+/// Deterministic unless the solver's time limit strikes. \p solver turns an IntegerProgram into an IntegerSolution.
+/// \throws UnmeshableError infeasible_intervals if no numbers satisfy the rules; the message lists rules that
+/// contradict each other (no proper subset of them does, up to the solver's strength), the ids are the tags of their
+/// faces. InputError bad_option for sizes, numbers or angles that are not positive.
+template <brep B, class Solver>
+[[nodiscard]] IntervalAssignment assign_intervals(const B& b, std::span<const SweepTopology> sweeps,
+                                                  const IntervalOptions& options, Solver&& solver) {
+    detail::IntervalBuilder<B> builder(b, sweeps, options);
+    IntervalAssignment result;
+    const IntervalResult solved = detail::solve_relaxing_angles(builder.system(), solver, result.angles_kept);
+    result.intervals.assign(b.edge_count(), 0);
+    result.objective = solved.objective;
+    result.optimal = solved.optimal;
+    const std::vector<EdgeId>& edges = builder.edges();
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        result.intervals[edges[i].index()] = solved.numbers[i];
+        const double ratio = 1.0 + interval_cost(solved.numbers[i], builder.system().edges[i].wish);
+        if (!result.worst_edge.valid() || ratio > result.worst_ratio) {
+            result.worst_ratio = ratio;
+            result.worst_edge = edges[i];
+        }
+    }
+    result.mean_ratio = 1.0 + (edges.empty() ? 0.0 : solved.objective / static_cast<double>(edges.size()));
+    for (const SweepTopology& sweep : sweeps) {
+        int layers = 0;
+        for (const std::vector<SidePlacement>& sides : place_sides(sweep, result.intervals)) {
+            for (const SidePlacement& side : sides) {
+                layers = std::max(layers, side.row + side.rows);
+            }
+        }
+        result.layers.push_back(layers);
+    }
+    return result;
+}
+
+/// The same with the solver of pavior::cad.
+template <brep B>
+[[nodiscard]] IntervalAssignment assign_intervals(const B& b, std::span<const SweepTopology> sweeps,
+                                                  const IntervalOptions& options) {
+    return assign_intervals(b, sweeps, options,
+                            [&](const IntegerProgram& program) { return solve(program, options.solver); });
+}
+
+}  // namespace pavior

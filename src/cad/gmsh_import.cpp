@@ -1,0 +1,300 @@
+#include "gmsh_import.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace pavior::detail {
+
+namespace {
+
+std::string lower_extension(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+/// "step", "iges", "brep", or empty.
+std::string cad_format(const std::filesystem::path& file) {
+    const std::string extension = lower_extension(file);
+    if (extension == ".step" || extension == ".stp") {
+        return "step";
+    }
+    if (extension == ".iges" || extension == ".igs") {
+        return "iges";
+    }
+    return extension == ".brep" ? "brep" : "";
+}
+
+gmsh::vectorpair entities(int dim) {
+    gmsh::vectorpair list;
+    gmsh::model::getEntities(list, dim);
+    return list;
+}
+
+/// Turns loose faces that close into solids.
+void sew_faces(const gmsh::vectorpair& shapes) {
+    gmsh::vectorpair healed;
+    gmsh::model::occ::healShapes(healed, shapes, 1e-6, false, false, false, true, true);
+    gmsh::model::occ::synchronize();
+}
+
+/// Without the path that Gmsh puts in front, and without names that only say which translator wrote the file.
+std::string plain_name(const std::string& label) {
+    const std::size_t slash = label.rfind('/');
+    const std::string last = slash == std::string::npos ? label : label.substr(slash + 1);
+    return last.rfind("Open CASCADE ", 0) == 0 ? std::string() : last;
+}
+
+std::string physical_name(int dim, int tag) {
+    std::vector<int> groups;
+    gmsh::model::getPhysicalGroupsForEntity(dim, tag, groups);
+    std::string name;
+    for (const int group : groups) {
+        gmsh::model::getPhysicalName(dim, group, name);
+        if (!name.empty()) {
+            return name;
+        }
+    }
+    return {};
+}
+
+/// Reads everything from \p descriptor until it closes, the time is over, or OpenCASCADE complains about the syntax
+/// (it then goes on with what it understood, and may never come back). Returns false when the time is over.
+bool drain(int descriptor, double seconds, std::string& text) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+    std::array<char, 4096> buffer{};
+    for (;;) {
+        const std::chrono::duration<double, std::milli> left = end - std::chrono::steady_clock::now();
+        if (left.count() <= 0) {
+            return false;
+        }
+        pollfd wait{descriptor, POLLIN, 0};
+        if (poll(&wait, 1, static_cast<int>(std::min(left.count() + 1, 1e6))) <= 0) {
+            continue;
+        }
+        const ssize_t got = read(descriptor, buffer.data(), buffer.size());
+        if (got < 0 && errno == EINTR) {
+            continue;
+        }
+        if (got <= 0) {
+            return true;
+        }
+        text.append(buffer.data(), static_cast<std::size_t>(got));
+        if (text.find("ERR StepFile") != std::string::npos || text.size() > (1U << 20U)) {
+            return true;
+        }
+    }
+}
+
+constexpr const char* message_mark = "\x01pavior:";
+
+/// What a child does: never returns.
+[[noreturn]] void run_child(const std::function<void()>& task, int descriptor) {
+    dup2(descriptor, STDOUT_FILENO);
+    dup2(descriptor, STDERR_FILENO);
+    std::string message;
+    try {
+        task();
+    } catch (const std::exception& error) {
+        message = message_mark + std::string(error.what());
+    } catch (...) {
+        message = message_mark + last_gmsh_error();
+    }
+    if (!message.empty() && write(descriptor, message.data(), message.size()) < 0) {
+        _exit(2);
+    }
+    _exit(message.empty() ? 0 : 1);
+}
+
+std::string child_verdict(const std::string& text, int status) {
+    if (const std::size_t syntax = text.find("ERR StepFile"); syntax != std::string::npos) {
+        const std::size_t detail = text.find(':', syntax);
+        const std::size_t stop = text.find_first_of("*\n", detail);
+        return "syntax errors in the file" + (detail == std::string::npos ? "" : text.substr(detail, stop - detail));
+    }
+    if (const std::size_t mark = text.find(message_mark); mark != std::string::npos) {
+        return text.substr(mark + std::char_traits<char>::length(message_mark));
+    }
+    if (WIFSIGNALED(status)) {
+        return "the CAD kernel crashed on it (signal " + std::to_string(WTERMSIG(status)) + ")";
+    }
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? "" : "the CAD kernel gave up";
+}
+
+}  // namespace
+
+void check_cad_file(const std::filesystem::path& file) {
+    std::error_code failure;
+    const auto status = std::filesystem::status(file, failure);
+    if (!std::filesystem::exists(status)) {
+        throw FileError(file.string(), "no such file");
+    }
+    if (!std::filesystem::is_regular_file(status)) {
+        throw FileError(file.string(), "not a regular file");
+    }
+    if (cad_format(file).empty()) {
+        throw FileError(file.string(), "unknown ending; .step, .stp, .iges, .igs and .brep can be read");
+    }
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) {
+        throw FileError(file.string(), "cannot be opened");
+    }
+    if (stream.peek() == std::ifstream::traits_type::eof()) {
+        throw FileError(file.string(), "empty");
+    }
+}
+
+void import_file(const std::filesystem::path& file) {
+    with_gmsh(
+        [&] {
+            gmsh::vectorpair shapes;
+            gmsh::option::setNumber("Geometry.OCCImportLabels", 1);
+            gmsh::model::occ::importShapes(file.string(), shapes, true, cad_format(file));
+            gmsh::model::occ::synchronize();
+            if (entities(3).empty() && !entities(2).empty()) {
+                sew_faces(entities(2));
+            }
+            if (entities(3).empty()) {
+                throw FileError(file.string(), entities(-1).empty() ? "no geometry in it" : "no solid in it");
+            }
+        },
+        [&](const std::string& message) { throw FileError(file.string(), message); });
+}
+
+std::string try_in_child(const std::function<void()>& task, double seconds) {
+    std::array<int, 2> ends{};
+    if (pipe(ends.data()) != 0) {
+        return "no pipe: " + std::string(std::strerror(errno));
+    }
+    const pid_t child = fork();
+    if (child < 0) {
+        close(ends[0]);
+        close(ends[1]);
+        return "no child process: " + std::string(std::strerror(errno));
+    }
+    if (child == 0) {
+        close(ends[0]);
+        run_child(task, ends[1]);
+    }
+    close(ends[1]);
+    std::string text;
+    const bool in_time = drain(ends[0], seconds, text);
+    close(ends[0]);
+    const bool syntax_error = text.find("ERR StepFile") != std::string::npos;
+    if (!in_time || syntax_error) {
+        kill(child, SIGKILL);
+    }
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    return in_time ? child_verdict(text, status)
+                   : "the CAD kernel did not come back within " + std::to_string(seconds) + " seconds";
+}
+
+EntityNames read_names() {
+    EntityNames names;
+    for (const int dim : {2, 3}) {
+        for (const auto& [d, tag] : entities(dim)) {
+            std::string label;
+            gmsh::model::getEntityName(d, tag, label);
+            label = plain_name(label);
+            if (label.empty()) {
+                label = physical_name(d, tag);
+            }
+            if (!label.empty()) {
+                names[{d, tag}] = label;
+            }
+        }
+    }
+    return names;
+}
+
+namespace {
+
+/// The named face of the original model that contains the point, or 0.
+int original_face(const GmshModel& original, const EntityNames& names, const Vec3& point, double tolerance) {
+    for (const auto& [entity, name] : names) {
+        Vec2 uv;
+        if (entity.first != 2 || !original.project_on_face(entity.second, point, uv)) {
+            continue;
+        }
+        std::array<Vec3, 1> there;
+        original.face_points(entity.second, std::array{uv}, there);
+        if ((there[0] - point).norm() <= tolerance && original.inside_face(entity.second, uv)) {
+            return entity.second;
+        }
+    }
+    return 0;
+}
+
+/// The centre of one triangle-like piece of the face: a point inside it by trial on a grid.
+bool point_inside(const GmshModel& model, int tag, Vec3& point) {
+    const auto [low, high] = model.face_bounds(tag);
+    for (int grid = 2; grid <= 64; grid *= 2) {
+        for (int i = 1; i < grid; ++i) {
+            for (int j = 1; j < grid; ++j) {
+                const Vec2 at = low + (high - low).cwiseProduct(Vec2(i, j) / grid);
+                if (model.inside_face(tag, at)) {
+                    std::array<Vec3, 1> x;
+                    model.face_points(tag, std::array{at}, x);
+                    point = x[0];
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+EntityNames imprint_solids(const GmshModel& model, const std::function<void()>& populate) {
+    const GmshModel::Current current(model);
+    const EntityNames before = read_names();
+    const gmsh::vectorpair solids = entities(3);
+    gmsh::vectorpair pieces;
+    std::vector<gmsh::vectorpair> map;
+    gmsh::model::occ::fragment(solids, {}, pieces, map);
+    gmsh::model::occ::synchronize();
+    EntityNames after;
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+        const auto name = before.find(solids[i]);
+        if (name != before.end()) {
+            for (const auto& piece : map.at(i)) {
+                after.try_emplace(piece, name->second);
+            }
+        }
+    }
+    if (std::any_of(before.begin(), before.end(), [](const auto& entry) { return entry.first.first == 2; })) {
+        const GmshModel original;
+        {
+            const GmshModel::Current there(original);
+            populate();
+        }
+        std::array<double, 6> box{};
+        gmsh::model::getBoundingBox(-1, -1, box[0], box[1], box[2], box[3], box[4], box[5]);
+        const double diagonal = Vec3(box[3] - box[0], box[4] - box[1], box[5] - box[2]).norm();
+        for (const auto& face : entities(2)) {
+            Vec3 point;
+            if (point_inside(model, face.second, point)) {
+                if (const int tag = original_face(original, before, point, 1e-6 * diagonal); tag != 0) {
+                    after[face] = before.at({2, tag});
+                }
+            }
+        }
+    }
+    return after;
+}
+
+}  // namespace pavior::detail

@@ -1,0 +1,33 @@
+#pragma once
+// Reading CAD files into Gmsh, safely. Internal to the cad component.
+
+#include "gmsh_model.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace pavior::detail {
+
+/// Names of faces and solids by {dim, tag}.
+using EntityNames = std::map<std::pair<int, int>, std::string>;
+
+/// FileError unless \p file is a regular, readable, non-empty file with one of the known endings.
+void check_cad_file(const std::filesystem::path& file);
+
+/// Puts the solids of \p file into the current Gmsh model. FileError if it holds none.
+void import_file(const std::filesystem::path& file);
+
+/// Runs \p task in a child process and returns what went wrong there: empty if nothing did.
+std::string try_in_child(const std::function<void()>& task, double seconds);
+
+/// Intersects the solids of \p model. \p populate fills another model in the same way, for the names of the faces.
+/// Returns the names after the operation.
+EntityNames imprint_solids(const GmshModel& model, const std::function<void()>& populate);
+
+/// The names of the current model.
+EntityNames read_names();
+
+}  // namespace pavior::detail

@@ -1,0 +1,39 @@
+// A program that links the compiled components: an integer program, a mesh file, a decomposition.
+#include <pavior/io/mesh_file.hpp>
+#include <pavior/math/small_svd.hpp>
+#include <pavior/model/integer_program.hpp>
+
+#include <array>
+#include <cstdio>
+
+int main() {
+    // cad: x + y >= 5 with costs 2 and 3 is cheapest at x = 4 (its bound), y = 1.
+    pavior::IntegerProgram program;
+    const auto x = program.add({.lower = 0, .upper = 4, .cost = 2, .integer = true, .name = "x"});
+    const auto y = program.add({.lower = 0, .upper = 9, .cost = 3, .integer = true, .name = "y"});
+    program.rows.push_back({.lower = 5, .upper = pavior::no_bound, .terms = {{x, 1.0}, {y, 1.0}}, .name = "sum"});
+    const pavior::IntegerSolution solution = pavior::solve(program);
+    const bool solved = solution.found() && solution.values == std::vector<double>{4.0, 1.0};
+
+    // io: a cube written and read back.
+    pavior::HexMeshData cube;
+    for (const double z : {0.0, 1.0}) {
+        for (const auto& [u, v] : {std::array{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}) {
+            cube.mesh.nodes.emplace_back(u, v, z);
+        }
+    }
+    cube.mesh.hexes.push_back({0, 1, 2, 3, 4, 5, 6, 7});
+    bool same = true;
+    for (const char* file : {"cube.vtu", "cube.msh"}) {
+        pavior::write_mesh(file, cube);
+        const pavior::HexMeshData copy = pavior::read_mesh(file);
+        same = same && copy.mesh.nodes == cube.mesh.nodes && copy.mesh.hexes == cube.mesh.hexes;
+    }
+
+    // math: the compiled decomposition of a matrix with the singular values 5, 3, 2.
+    const pavior::SmallSvd<double, 3, 3> svd = pavior::small_svd<double, 3, 3>(Eigen::Vector3d(2, -5, 3).asDiagonal());
+    const double error = (svd.w - Eigen::Vector3d(5, 3, 2)).norm();
+
+    std::printf("integer program %d, files %d, error %.1e\n", solved, same, error);
+    return solved && same && error < 1e-14 ? 0 : 1;
+}
