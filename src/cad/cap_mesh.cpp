@@ -19,7 +19,9 @@ namespace {
 
 using Matrix2 = Eigen::Matrix2d;
 
-std::string face_label(const GmshBrep& model, FaceId face) { return "face " + std::to_string(model.tag(2, face.index())); }
+std::string face_label(const GmshBrep& model, FaceId face) {
+    return "face " + std::to_string(model.tag(2, face.index()));
+}
 
 void check_boundary(const GmshBrep& model, FaceId face, const CapBoundary& boundary, const CapOptions& options) {
     const std::size_t n = boundary.points.size();
@@ -126,7 +128,7 @@ public:
         for (const Recipe& recipe : {Recipe{6, 5, 1, 10}, Recipe{6, 0, 1, 10}, Recipe{5, 5, 1, 10},
                                      Recipe{6, 5, 0.85, 10}, Recipe{6, 5, 1.2, 10}, Recipe{5, 5, 0.8, 10},
                                      Recipe{1, 5, 1, 10}, Recipe{6, 5, 0.7, 10}}) {
-            if (best_quality_ < good) {
+            if (best_quality_ < good && failures_ < allowed_failures) {
                 consider(detail::recombined_quads(loops_, size_, recipe));
             }
         }
@@ -145,14 +147,17 @@ public:
 private:
     static constexpr double good = 0.4;
     static constexpr double bad = 0.05;
+    static constexpr int allowed_failures = 4;
 
     void consider(const std::optional<detail::PlaneQuads>& plane) {
         if (!plane) {
+            ++failures_;
             return;
         }
         CapMesh mesh;
         mesh.quads = plane->quads;
-        const double quality = model_.face_kind(face_) == "Plane" ? flat_quality(*plane, mesh) : curved_quality(*plane, mesh);
+        const bool flat = model_.face_kind(face_) == "Plane";
+        const double quality = flat ? flat_quality(*plane, mesh) : curved_quality(*plane, mesh);
         if (best_.quads.empty() || quality > best_quality_) {
             best_ = std::move(mesh);
             best_quality_ = quality;
@@ -216,6 +221,7 @@ private:
     detail::PlaneLoops loops_;
     CapMesh best_;
     double best_quality_ = -2;
+    int failures_ = 0;
 };
 
 }  // namespace

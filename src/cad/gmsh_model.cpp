@@ -1,6 +1,10 @@
 #include "gmsh_model.hpp"
 
+#include <cstdio>
 #include <iostream>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace pavior::detail {
 
@@ -145,8 +149,7 @@ bool GmshModel::project_on_face(int tag, const Vec3& x, Vec2& uv) const {
     const Current current(*this);
     try {
         in_.assign(x.data(), x.data() + 3);
-        std::vector<double> closest;
-        gmsh::model::getClosestPoint(2, tag, in_, closest, out_);
+        gmsh::model::getParametrization(2, tag, in_, out_);
         if (out_.size() != 2) {
             return false;
         }
@@ -174,9 +177,24 @@ double GmshModel::mass(int dim, int tag) const {
     });
 }
 
-Hush::Hush() : out_(std::cout.rdbuf(nullptr)), error_(std::cerr.rdbuf(nullptr)) {}
+Hush::Hush() {
+    std::cout.flush();
+    std::fflush(stdout);
+    out_ = std::cout.rdbuf(nullptr);
+    error_ = std::cerr.rdbuf(nullptr);
+    descriptor_ = dup(STDOUT_FILENO);
+    if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) {
+        dup2(nowhere, STDOUT_FILENO);
+        close(nowhere);
+    }
+}
 
 Hush::~Hush() {
+    std::fflush(stdout);
+    if (descriptor_ >= 0) {
+        dup2(descriptor_, STDOUT_FILENO);
+        close(descriptor_);
+    }
     std::cout.rdbuf(out_);
     std::cerr.rdbuf(error_);
 }

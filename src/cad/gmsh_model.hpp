@@ -72,7 +72,7 @@ private:
     mutable std::vector<double> out_;
 };
 
-/// Keeps std::cout and std::cerr quiet (OpenCASCADE prints on them).
+/// Keeps standard output, std::cout and std::cerr quiet: OpenCASCADE and the matching code in Gmsh print.
 class Hush {
 public:
     Hush();
@@ -83,6 +83,7 @@ public:
 private:
     std::streambuf* out_;
     std::streambuf* error_;
+    int descriptor_;
 };
 
 }  // namespace pavior::detail

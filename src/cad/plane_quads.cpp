@@ -149,6 +149,7 @@ void turn_left(const std::vector<Vec2>& nodes, std::vector<std::array<Index, N>>
 
 std::optional<RawMesh> meshed(const PlaneLoops& loops, double size, const QuadRecipe* recipe) {
     const GmshSession session;
+    const Hush hush;
     try {
         GmshOptions options;
         set_common_options(options, size);

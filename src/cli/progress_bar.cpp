@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
 
 #include <unistd.h>
 
@@ -26,8 +27,10 @@ void ProgressBar::draw(std::string_view stage, double fraction) {
     constexpr std::size_t width = 30;
     const double clamped = std::clamp(fraction, 0.0, 1.0);
     const auto full = static_cast<std::size_t>(clamped * static_cast<double>(width));
-    std::string line = "[" + std::string(full, '#') + std::string(width - full, ' ') + "] " +
-                       std::to_string(static_cast<int>(100 * clamped)) + " % " + std::string(stage);
+    std::ostringstream text;
+    text << '[' << std::string(full, '#') << std::string(width - full, ' ') << "] " << static_cast<int>(100 * clamped)
+         << " % " << stage;
+    std::string line = text.str();
     if (line != last_) {
         std::fprintf(stderr, "\r\033[K%s", line.c_str());
         std::fflush(stderr);

@@ -35,7 +35,9 @@ struct HyperplanarCase {
     Points<N> Y;
 
     explicit HyperplanarCase(int seed, Eigen::Index m = 4 * N)
-        : random(seed), normal(random.unit<N>()), X(random.hyperplanar<N>(m, normal, random.vector<N>())),
+        : random(seed),
+          normal(random.unit<N>()),
+          X(random.hyperplanar<N>(m, normal, random.vector<N>())),
           Y(random.points<N>(m)) {
         Y.colwise() += Vector(3 * normal + random.vector<N>());
     }

@@ -33,7 +33,7 @@ void check_decomposition(const Eigen::Matrix<Scalar, R, C>& M, Scalar tolerance)
 template <class Scalar, int R, int C>
 void check_size(Eigen::Index rows, Eigen::Index cols) {
     std::mt19937_64 engine(17);
-    const Scalar tolerance = 40 * std::numeric_limits<Scalar>::epsilon();
+    const Scalar tolerance = 20 * std::numeric_limits<Scalar>::epsilon() * static_cast<Scalar>(rows);
     using Matrix = Eigen::Matrix<Scalar, R, C>;
     for (int repeat = 0; repeat < 50; ++repeat) {
         INFO("repeat " << repeat << ", size " << rows << " x " << cols);

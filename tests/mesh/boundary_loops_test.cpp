@@ -5,6 +5,7 @@
 #include <pavior/mesh/boundary_loops.hpp>
 #include <pavior/mesh/eigen_access.hpp>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -53,7 +54,8 @@ TEST_CASE("the loop of a grid runs counter-clockwise from its smallest node") {
 TEST_CASE("a hole runs clockwise") {
     const QuadMesh ring = shapes::square_ring(1);
     const Loops loops = boundary_loops(ring);
-    CHECK(list(loops) == List{{0, 1, 2, 3, 4, 9, 13, 18, 23, 22, 21, 20, 19, 14, 10, 5}, {6, 11, 15, 16, 17, 12, 8, 7}});
+    CHECK(list(loops) ==
+          List{{0, 1, 2, 3, 4, 9, 13, 18, 23, 22, 21, 20, 19, 14, 10, 5}, {6, 11, 15, 16, 17, 12, 8, 7}});
     CHECK(signed_area(ring, loops[0]) == Approx(4.0));
     CHECK(signed_area(ring, loops[1]) == Approx(-1.0));
 }
@@ -88,7 +90,8 @@ TEST_CASE("the order of the quads and their first corners do not matter") {
     const Loops wanted = boundary_loops(mesh);
     std::reverse(mesh.quads.begin(), mesh.quads.end());
     for (std::size_t q = 0; q < mesh.quads.size(); ++q) {
-        std::rotate(mesh.quads[q].begin(), mesh.quads[q].begin() + static_cast<std::ptrdiff_t>(q % 4), mesh.quads[q].end());
+        QuadCorners& c = mesh.quads[q];
+        std::rotate(c.begin(), c.begin() + static_cast<std::ptrdiff_t>(q % 4), c.end());
     }
     CHECK(boundary_loops(mesh) == wanted);
 }

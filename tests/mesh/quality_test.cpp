@@ -9,6 +9,15 @@
 #include <numeric>
 #include <random>
 
+#if __has_include(<vtkMeshQuality.h>)
+#define PAVIOR_TEST_VTK
+#include <vtkHexahedron.h>
+#include <vtkMeshQuality.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkQuad.h>
+#endif
+
 using namespace pavior;
 
 namespace {
@@ -17,7 +26,8 @@ HexMesh shaken_box(std::size_t n, double amplitude, unsigned seed) {
     std::mt19937 generator(seed);
     for (Vec3& x : mesh.nodes) {
         for (int axis = 0; axis < 3; ++axis) {
-            x[axis] += amplitude / static_cast<double>(n) * (2.0 * static_cast<double>(generator()) / 4294967295.0 - 1.0);
+            const double noise = 2.0 * static_cast<double>(generator()) / 4294967295.0 - 1.0;
+            x[axis] += amplitude / static_cast<double>(n) * noise;
         }
     }
     return mesh;
@@ -106,12 +116,7 @@ TEST_CASE("empty meshes and wrong arguments") {
     CHECK_THROWS_AS(hex_metrics(shapes::hex_box(1, 1, 1), std::span(values)), InputError);
 }
 
-#if __has_include(<vtkMeshQuality.h>)
-#include <vtkHexahedron.h>
-#include <vtkMeshQuality.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkQuad.h>
+#ifdef PAVIOR_TEST_VTK
 
 namespace {
 template <class Cell, std::size_t N>

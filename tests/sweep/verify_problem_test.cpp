@@ -186,6 +186,21 @@ TEST_CASE("loops that are not the boundary") {
     CHECK(expect(problem).ids == Error::Ids{8});
 }
 
+TEST_CASE("a closed sheet of quads beside the cap has no boundary to sweep")  {
+    SweepProblem problem = good();
+    const auto first = static_cast<Index>(problem.source_nodes.size());
+    for (int i = 0; i < 8; ++i) {
+        problem.source_nodes.emplace_back(5.0 + (i & 1), (i >> 1) & 1, (i >> 2) & 1);
+    }
+    problem.target_nodes.insert(problem.target_nodes.end(), problem.source_nodes.end() - 8, problem.source_nodes.end());
+    for (const QuadCorners& q : {QuadCorners{0, 2, 3, 1}, QuadCorners{4, 5, 7, 6}, QuadCorners{0, 1, 5, 4},
+                                 QuadCorners{2, 6, 7, 3}, QuadCorners{0, 4, 6, 2}, QuadCorners{1, 3, 7, 5}}) {
+        problem.quads.push_back({first + q[0], first + q[1], first + q[2], first + q[3]});
+    }
+    CHECK(finding(problem).code == ErrorCode::loops_do_not_match_mesh);
+    CHECK(finding(problem).ids == Error::Ids{first});
+}
+
 TEST_CASE("all loops reversed is no fault") {
     SweepProblem problem = good();
     reverse_loop(problem, 0);

@@ -23,8 +23,8 @@ struct Affinity {
     }
 };
 
-/// min F relative to the scale of Y: an exact affine map exists if and only if it is zero (Proposition 2.25). No singular
-/// value above the rounding level is neglected. \pre pair.finite()
+/// min F relative to the scale of Y: an exact affine map exists if and only if it is zero (Proposition 2.25). No
+/// singular value above the rounding level is neglected. \pre pair.finite()
 template <class Scalar, int N>
 [[nodiscard]] Affinity<Scalar> affinity(const LoopPair<Scalar, N>& pair) {
     FitOptions options;

@@ -53,7 +53,8 @@ template <class DerivedX, class DerivedY, class Scalar, int N>
     const Vector shift = (map.cy - pair.target.centre) / pair.target.scale + local * pair.source.shift;
     Scalar residual = 0;
     for (Eigen::Index i = 0; i < X.cols(); ++i) {
-        const Vector error = pair.target.local(Y.col(i)) + pair.target.shift - local * pair.source.local(X.col(i)) - shift;
+        const Vector error =
+            pair.target.local(Y.col(i)) + pair.target.shift - local * pair.source.local(X.col(i)) - shift;
         residual = std::max(residual, error.norm());
     }
     return residual * pair.target.scale;
@@ -99,10 +100,11 @@ template <class Scalar, int N, class DerivedX, class DerivedY>
 /// \throws InputError empty_input, size_mismatch, bad_index (offsets)
 /// Cost O(m), no heap for fixed n; thread-safe; any coordinates whose differences neither overflow nor underflow.
 template <class Scalar, int N>
-[[nodiscard]] AffineFit<Scalar, N> fit_affine(
-    AffineMethod method, Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>> X,
-    Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>> Y, std::span<const std::size_t> loop_offsets,
-    const FitOptions& options = {}) {
+[[nodiscard]] AffineFit<Scalar, N> fit_affine(AffineMethod method,
+                                              Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>> X,
+                                              Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>> Y,
+                                              std::span<const std::size_t> loop_offsets,
+                                              const FitOptions& options = {}) {
     return detail::fit_affine<Scalar, N>(method, X, Y, loop_offsets, options);
 }
 
@@ -116,5 +118,20 @@ template <class DerivedX, class DerivedY>
     using Points = Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>>;
     return fit_affine<Scalar, N>(method, Points(X.derived()), Points(Y.derived()), loop_offsets, options);
 }
+
+/// \cond
+#define PAVIOR_FIT_AFFINE(prefix, Scalar, N)                                                      \
+    prefix template AffineFit<Scalar, N> fit_affine<Scalar, N>(                                   \
+        AffineMethod, Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>>,                 \
+        Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>>, std::span<const std::size_t>, \
+        const FitOptions&);
+#ifdef PAVIOR_COMPILED_MATH
+PAVIOR_FIT_AFFINE(extern, float, 2)
+PAVIOR_FIT_AFFINE(extern, float, 3)
+PAVIOR_FIT_AFFINE(extern, double, 2)
+PAVIOR_FIT_AFFINE(extern, double, 3)
+PAVIOR_FIT_AFFINE(extern, double, Eigen::Dynamic)
+#endif
+/// \endcond
 
 }  // namespace pavior

@@ -75,11 +75,11 @@ struct AffineFit {
     FitStatus status = FitStatus::ok;
     bool at_target = false;         ///< null_pseudo_area, not_finite: the target loop is at fault, else the source loop
     bool ambiguous_normal = false;  ///< h: a direction is perpendicular to its pseudo-normal, its sign is arbitrary
-    int rank = 0;            ///< f, h: numerical rank of the centred source; g: of the source moved to cY - cX;
-                             ///< constrained: rank of the linear part, n if ok
-    Scalar residual = 0;     ///< max_i |y_i - phi(x_i)|, unit of the coordinates
-    Scalar correlation = 0;  ///< smallest of the n - 1 largest canonical correlations of the loops, in [0, 1]
-    Vector uX;               ///< the vector mapped to uY: pseudo-normals or kernels (unit), g: cY - cX, f: zero
+    int rank = 0;                   ///< f, h: numerical rank of the centred source; g: of the source moved to cY - cX;
+                                    ///< constrained: rank of the linear part, n if ok
+    Scalar residual = 0;            ///< max_i |y_i - phi(x_i)|, unit of the coordinates
+    Scalar correlation = 0;         ///< smallest of the n - 1 largest canonical correlations of the loops, in [0, 1]
+    Vector uX;                      ///< the vector mapped to uY: pseudo-normals or kernels (unit), g: cY - cX, f: zero
     Vector uY;
 };
 

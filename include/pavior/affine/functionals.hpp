@@ -3,7 +3,7 @@
 /// The functionals E, F, G and H of a pair of point sets; equations (2.5) to (2.9) \cite roca2009.
 ///
 /// X and Y hold the points as columns (n x m each, m >= 1). Values are in the user's unit squared; sums are taken over
-/// centred points, so that they are precise far from the origin. O(m) each. They overflow to infinity above about 1e150.
+/// centred points, so that they are precise far from the origin. O(m) each. They overflow above about 1e150.
 
 #include <pavior/affine/centring.hpp>
 
@@ -63,12 +63,11 @@ template <class DerivedA, class DerivedX, class DerivedY>
     using Vector = Eigen::Matrix<Scalar, DerivedX::RowsAtCompileTime, 1>;
     const auto source = centring(X);
     const auto target = centring(Y);
-    const Vector d =
-        (target.centre - source.centre) + (target.scale * target.shift - source.scale * source.shift);
+    const Vector d = (target.centre - source.centre) + (target.scale * target.shift - source.scale * source.shift);
     Scalar sum = 0;
     for (Eigen::Index i = 0; i < X.cols(); ++i) {
-        const Vector error = target.scale * target.local(Y.col(i)) + d -
-                             A * (source.scale * source.local(X.col(i)) + d);
+        const Vector error =
+            target.scale * target.local(Y.col(i)) + d - A * (source.scale * source.local(X.col(i)) + d);
         sum += error.squaredNorm();
     }
     return sum;

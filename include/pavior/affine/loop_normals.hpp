@@ -33,8 +33,8 @@ template <class DerivedX, class DerivedY, class Scalar, int N>
     }
     const auto of = [&](const auto& points, const Centring<Scalar, N>& local) {
         const auto svd = small_svd(points);
-        return hyperplane_normal(svd, std::max(static_cast<Scalar>(options.zero_singular_value) * svd.w(0),
-                                               16 * local.noise(pair.m)));
+        return hyperplane_normal(
+            svd, std::max(static_cast<Scalar>(options.zero_singular_value) * svd.w(0), 16 * local.noise(pair.m)));
     };
     return {of(pair.X, pair.source), of(pair.Y, pair.target), true};
 }

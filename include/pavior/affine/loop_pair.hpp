@@ -52,9 +52,9 @@ struct LoopPair {
 /// Condenses the columns of \p X and \p Y (n x m each); O(m), no heap for fixed n. If a coordinate is not finite, X and
 /// Y of the result are unset.
 /// \throws InputError empty_input (no points, or n < 2), size_mismatch
-template <class DerivedX, class DerivedY, class Scalar = typename DerivedX::Scalar,
-          int N = DerivedX::RowsAtCompileTime>
-[[nodiscard]] LoopPair<Scalar, N> loop_pair(const Eigen::MatrixBase<DerivedX>& X, const Eigen::MatrixBase<DerivedY>& Y) {
+template <class DerivedX, class DerivedY, class Scalar = typename DerivedX::Scalar, int N = DerivedX::RowsAtCompileTime>
+[[nodiscard]] LoopPair<Scalar, N> loop_pair(const Eigen::MatrixBase<DerivedX>& X,
+                                            const Eigen::MatrixBase<DerivedY>& Y) {
     if (X.cols() == 0 || X.rows() < 2) {
         throw InputError(ErrorCode::empty_input, "affine fit: no points, or points with less than two coordinates");
     }

@@ -16,9 +16,9 @@ namespace pavior {
 /// A linear least-squares fit.
 template <class Scalar, int N>
 struct LinearFit {
-    Eigen::Matrix<Scalar, N, N> A;    ///< the minimiser of smallest Frobenius norm, n x n
-    Eigen::Index rank = 0;            ///< numerical rank of the n uncoupled systems (2.13), (A.2), (A.3)
-    Eigen::Matrix<Scalar, N, 1> w;    ///< singular values of the system matrix, user's unit, descending
+    Eigen::Matrix<Scalar, N, N> A;  ///< the minimiser of smallest Frobenius norm, n x n
+    Eigen::Index rank = 0;          ///< numerical rank of the n uncoupled systems (2.13), (A.2), (A.3)
+    Eigen::Matrix<Scalar, N, 1> w;  ///< singular values of the system matrix, user's unit, descending
     [[nodiscard]] bool unique() const { return rank == A.rows(); }
 };
 
@@ -32,8 +32,7 @@ template <class Scalar, int R, int N>
 
 /// min |Y - A X|^2 + |u_y - A u_x|^2 in local coordinates; \p noise is the noise level of the singular values.
 template <class Scalar, int N>
-[[nodiscard]] LinearFit<Scalar, N> fit_with_row(const LoopPair<Scalar, N>& pair,
-                                                const Eigen::Matrix<Scalar, N, 1>& ux,
+[[nodiscard]] LinearFit<Scalar, N> fit_with_row(const LoopPair<Scalar, N>& pair, const Eigen::Matrix<Scalar, N, 1>& ux,
                                                 const Eigen::Matrix<Scalar, N, 1>& uy, Scalar noise,
                                                 double zero_singular_value) {
     constexpr int rows = N == Eigen::Dynamic ? N : 2 * N + 1;

@@ -16,19 +16,19 @@
 
 namespace pavior {
 
-/// Ranks of two loops and of the linear map between them. The rank of A^F is counted by canonical correlations, which do
-/// not depend on the shapes of the loops: a section of 1e6 : 1 may become one of 1 : 1e6.
+/// Ranks of two loops and of the linear map between them. The rank of A^F is counted by canonical correlations, which
+/// do not depend on the shapes of the loops: a section of 1e6 : 1 may become one of 1 : 1e6.
 template <class Scalar, int N>
 struct PairRanks {
     using Vector = Eigen::Matrix<Scalar, N, 1>;
     using Svd = SmallSvd<Scalar, LoopPair<Scalar, N>::rows, N>;
 
-    Svd source;                              ///< of Xbar^T in local coordinates
-    Svd target;                              ///< of Ybar^T
+    Svd source;  ///< of Xbar^T in local coordinates
+    Svd target;  ///< of Ybar^T
     Eigen::Index source_rank = 0;
     Eigen::Index target_rank = 0;
-    SmallSvd<Scalar, N, N> correlations;     ///< of the overlap of the two column spaces; w = canonical correlations
-    Eigen::Index rank = 0;                   ///< of A^F
+    SmallSvd<Scalar, N, N> correlations;  ///< of the overlap of the two column spaces; w = canonical correlations
+    Eigen::Index rank = 0;                ///< of A^F
 
     /// The unit vector that spans Ker A^F. \pre rank == n - 1
     [[nodiscard]] Vector kernel() const {
@@ -53,10 +53,10 @@ struct PairRanks {
 template <class Scalar, int N>
 [[nodiscard]] PairRanks<Scalar, N> pair_ranks(const LoopPair<Scalar, N>& pair, const FitOptions& options = {}) {
     PairRanks<Scalar, N> ranks{small_svd(pair.X), small_svd(pair.Y), 0, 0, {}, 0};
-    ranks.source_rank = ranks.source.rank(
-        detail::zero_threshold(ranks.source, options.zero_singular_value, pair.source.noise(pair.m)));
-    ranks.target_rank = ranks.target.rank(
-        detail::zero_threshold(ranks.target, options.zero_singular_value, pair.target.noise(pair.m)));
+    ranks.source_rank =
+        ranks.source.rank(detail::zero_threshold(ranks.source, options.zero_singular_value, pair.source.noise(pair.m)));
+    ranks.target_rank =
+        ranks.target.rank(detail::zero_threshold(ranks.target, options.zero_singular_value, pair.target.noise(pair.m)));
     const Eigen::Index n = pair.dimension();
     Eigen::Matrix<Scalar, N, N> overlap = ranks.target.U.transpose() * ranks.source.U;
     overlap.bottomRows(n - ranks.target_rank).setZero();

@@ -20,7 +20,7 @@ namespace pavior {
 template <class Scalar, int N>
 struct Enclosure {
     Eigen::Matrix<Scalar, N, 1> area;  ///< n = 3: divided by the square of the scale of the centring; n = 2: by it
-    Scalar bound = 0;                  ///< n = 3: half the sum of |x_i - c| |x_(i+1) - x_i|; n = 2: length of the curves
+    Scalar bound = 0;  ///< n = 3: half the sum of |x_i - c| |x_(i+1) - x_i|; n = 2: length of the curves
 };
 
 /// The unit vector along a pseudo-area, if there is one.
@@ -42,8 +42,8 @@ inline void verify_loop_offsets(std::span<const std::size_t> offsets, std::size_
 namespace detail {
 
 template <class Scalar, int N>
-void add_curve(Enclosure<Scalar, N>& sum, const Eigen::Matrix<Scalar, N, 1>& from, const Eigen::Matrix<Scalar, N, 1>& to,
-               bool closing) {
+void add_curve(Enclosure<Scalar, N>& sum, const Eigen::Matrix<Scalar, N, 1>& from,
+               const Eigen::Matrix<Scalar, N, 1>& to, bool closing) {
     if (from.size() == 3) {
         const Eigen::Matrix<Scalar, N, 1> edge = to - from;
         sum.area(0) += (from(1) * edge(2) - from(2) * edge(1)) / 2;
@@ -60,8 +60,8 @@ void add_curve(Enclosure<Scalar, N>& sum, const Eigen::Matrix<Scalar, N, 1>& fro
 }  // namespace detail
 
 /// Pseudo-area of the columns of \p X (n x m, n = 2 or 3) in the local coordinates \p local. n = 3: half the sum of
-/// (x_i - c) x (x_(i+1) - c) over closed loops, Definition 3.3. n = 2, open curves: the chord from the first to the last
-/// point of each, turned by +90 degrees. O(m), no heap for fixed n.
+/// (x_i - c) x (x_(i+1) - c) over closed loops, Definition 3.3. n = 2, open curves: the chord from the first to the
+/// last point of each, turned by +90 degrees. O(m), no heap for fixed n.
 template <class Derived, class Scalar = typename Derived::Scalar, int N = Derived::RowsAtCompileTime>
 [[nodiscard]] Enclosure<Scalar, N> enclosure(const Eigen::MatrixBase<Derived>& X, std::span<const std::size_t> offsets,
                                              const Centring<Scalar, N>& local) {
@@ -88,7 +88,8 @@ template <class Derived, class Scalar = typename Derived::Scalar, int N = Derive
 template <class Scalar, int N>
 [[nodiscard]] PseudoNormal<Scalar, N> pseudo_normal(const Enclosure<Scalar, N>& sum, const Centring<Scalar, N>& local,
                                                     double tolerance = 1e-10) {
-    const Scalar rounding = 4 * std::numeric_limits<Scalar>::epsilon() * std::max(Scalar(1), local.extent / local.scale);
+    const Scalar rounding =
+        4 * std::numeric_limits<Scalar>::epsilon() * std::max(Scalar(1), local.extent / local.scale);
     const Scalar length = sum.area.norm();
     PseudoNormal<Scalar, N> result{Eigen::Matrix<Scalar, N, 1>::Zero(sum.area.size()), Scalar(0), true};
     if (!(length > std::max(static_cast<Scalar>(tolerance), rounding) * sum.bound)) {
@@ -136,8 +137,8 @@ template <class Derived, class Scalar = typename Derived::Scalar, int N = Derive
     return X.rows() == 3 ? (sum.area * local.scale) * local.scale : sum.area * local.scale;
 }
 
-/// Pseudo-normal of the multi-loop, Definition 3.6; n >= 4: hyperplane_normal. Null for figure eights, collinear points,
-/// closed plane curves (n = 2) and coordinates that are not finite. O(m).
+/// Pseudo-normal of the multi-loop, Definition 3.6; n >= 4: hyperplane_normal. Null for figure eights, collinear
+/// points, closed plane curves (n = 2) and coordinates that are not finite. O(m).
 /// \throws InputError empty_input, bad_index (offsets)
 template <class Derived, class Scalar = typename Derived::Scalar, int N = Derived::RowsAtCompileTime>
 [[nodiscard]] PseudoNormal<Scalar, N> pseudo_normal(const Eigen::MatrixBase<Derived>& X,

@@ -21,7 +21,8 @@ struct CapOptions {
 /// grid (transfinite interpolation); any other is triangulated by Gmsh and recombined, in several ways until the worst
 /// corner is good; where no way leads to quads alone, every second boundary node is meshed with triangles and each is
 /// cut into three quads. Nodes are then optimised on the surface, the boundary held.
-/// Deterministic: same input, same bytes. Not thread-safe (Gmsh). O(quads) memory; about 20 us a quad.
+/// Deterministic: same input, same bytes. Not thread-safe (Gmsh). O(quads) memory; about 0.2 ms a quad where
+/// Gmsh recombines, 0.01 ms in a grid.
 /// \throws InputError size_mismatch (arrays of different length, an odd number of boundary nodes), empty_input (a loop
 /// of fewer than three nodes, fewer than four nodes), not_finite, bad_option (size), bad_orientation (the outer loop
 /// does not run counter-clockwise in u, v); Error(cad_failure) naming the face where nothing leads to quads that are

@@ -26,7 +26,7 @@ struct SmallSvd {
     /// \cite roca2009.
     template <class Derived>
     [[nodiscard]] Eigen::Matrix<Scalar, Derived::RowsAtCompileTime, C> solve(const Eigen::MatrixBase<Derived>& B,
-                                                                           Scalar threshold) const {
+                                                                             Scalar threshold) const {
         Eigen::Matrix<Scalar, Derived::RowsAtCompileTime, C> coefficients = B * U;
         for (Eigen::Index i = 0; i < w.size(); ++i) {
             coefficients.col(i) *= w(i) > threshold ? Scalar(1) / w(i) : Scalar(0);
@@ -129,11 +129,10 @@ SmallSvd<Scalar, R, C> small_svd(const Eigen::Matrix<Scalar, R, C>& M) {
 }
 
 /// \cond
-#define PAVIOR_SMALL_SVD_SIZES(apply, Scalar) \
-    apply(Scalar, 2, 2) apply(Scalar, 3, 3) apply(Scalar, 4, 4) apply(Scalar, 4, 2) apply(Scalar, 6, 3) \
+#define PAVIOR_SMALL_SVD_SIZES(apply, Scalar)                                                               \
+    apply(Scalar, 2, 2) apply(Scalar, 3, 3) apply(Scalar, 4, 4) apply(Scalar, 4, 2) apply(Scalar, 6, 3)     \
         apply(Scalar, 8, 4) apply(Scalar, 1, 1) apply(Scalar, 4, 1) apply(Scalar, 6, 2) apply(Scalar, 8, 3) \
-            apply(Scalar, 5, 2) apply(Scalar, 7, 3) apply(Scalar, 9, 4) \
-            apply(Scalar, Eigen::Dynamic, Eigen::Dynamic)
+            apply(Scalar, 5, 2) apply(Scalar, 7, 3) apply(Scalar, 9, 4) apply(Scalar, Eigen::Dynamic, Eigen::Dynamic)
 #ifdef PAVIOR_COMPILED_MATH
 #define PAVIOR_EXTERN_SVD(Scalar, R, C) \
     extern template SmallSvd<Scalar, R, C> small_svd<Scalar, R, C>(const Eigen::Matrix<Scalar, R, C>&);

@@ -14,8 +14,7 @@ namespace pavior {
 template <class Scalar, int K>
 class StreamedQr {
 public:
-    explicit StreamedQr(Eigen::Index columns = K)
-        : rows_(Storage::Zero(columns + block, columns)), used_(columns) {}
+    explicit StreamedQr(Eigen::Index columns = K) : rows_(Storage::Zero(columns + block, columns)), used_(columns) {}
 
     /// Adds one row (1 x K).
     template <class Derived>

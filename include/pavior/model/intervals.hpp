@@ -31,32 +31,35 @@ struct IntervalAssignment {
 
 namespace detail {
 
-[[nodiscard]] inline UnmeshableError conflict_error(const IntervalSystem& system, const IntervalResult& result) {
-    if (result.conflict.empty()) {
+/// Why \p failed has no numbers.
+template <class Solver>
+[[nodiscard]] UnmeshableError interval_error(const IntervalSystem& system, const IntervalResult& failed,
+                                             Solver& solver) {
+    if (failed.status != ProgramStatus::infeasible) {
         return {ErrorCode::infeasible_intervals, "no numbers of intervals were found in the time allowed"};
     }
     std::string text = "these demands contradict each other:";
     std::set<int> faces;
-    for (const std::size_t i : result.conflict) {
+    for (const std::size_t i : conflicting_rules(system, failed.rules, solver)) {
         text += "\n  " + system.rules[i].text;
         faces.insert(system.rules[i].faces.begin(), system.rules[i].faces.end());
     }
     return {ErrorCode::infeasible_intervals, text, Error::Ids(faces.begin(), faces.end())};
 }
 
-/// Solves; gives up the angles where they contradict what is prescribed.
+/// Solves; gives up the angles if they are what makes the system infeasible.
 template <class Solver>
 [[nodiscard]] IntervalResult solve_relaxing_angles(IntervalSystem& system, Solver& solver, bool& angles_kept) {
     IntervalResult result = solve_intervals(system, solver);
-    if (result.numbers.empty() && !system.edges.empty()) {
+    if (result.status == ProgramStatus::infeasible) {
         for (IntervalEdge& edge : system.edges) {
+            angles_kept = angles_kept && edge.lower == 1;
             edge.lower = 1;
         }
-        result = solve_intervals(system, solver);
-        angles_kept = false;
-        if (result.numbers.empty()) {
-            throw conflict_error(system, result);
-        }
+        result = angles_kept ? result : solve_intervals(system, solver);
+    }
+    if (result.numbers.empty() && !system.edges.empty()) {
+        throw interval_error(system, result, solver);
     }
     return result;
 }
@@ -82,7 +85,7 @@ template <brep B, class Solver>
     const IntervalResult solved = detail::solve_relaxing_angles(builder.system(), solver, result.angles_kept);
     result.intervals.assign(b.edge_count(), 0);
     result.objective = solved.objective;
-    result.optimal = solved.optimal;
+    result.optimal = solved.status == ProgramStatus::optimal;
     const std::vector<EdgeId>& edges = builder.edges();
     for (std::size_t i = 0; i < edges.size(); ++i) {
         result.intervals[edges[i].index()] = solved.numbers[i];

@@ -41,13 +41,13 @@ struct PairOutcome {
 
 /// Judges two faces of a solid (positions).
 template <brep B>
-[[nodiscard]] PairOutcome judge_pair(const B& b, const SolidBoundary& solid, std::size_t source, std::size_t target,
-                                     const RecognitionOptions& options) {
+[[nodiscard]] PairOutcome judge_pair(const B& b, const SolidBoundary& solid, const RolePatterns& patterns,
+                                     std::size_t source, std::size_t target, const RecognitionOptions& options) {
     PairOutcome result;
     if (caps_fit(solid, source, target)) {
-        result.sweep = sweep_from_roles(solid, source, target, direct_roles(solid, source, target));
+        result.sweep = find_direct_sweep(solid, source, target);
         if (!result.sweep && options.stacked) {
-            result.sweep = find_stacked_sweep(solid, source, target, options.stacking);
+            result.sweep = find_stacked_sweep(solid, patterns, source, target, options.stacking);
         }
     }
     if (result.sweep) {
@@ -106,12 +106,13 @@ template <brep B>
     const SolidBoundary boundary = solid_boundary(b, solid);
     Recognition result;
     result.solid = solid;
+    const detail::RolePatterns patterns(boundary, options.stacking);
     std::vector<SweepRefusal> misshapen;
     for (std::size_t i = 0; i < boundary.faces.size(); ++i) {
         for (std::size_t j = i + 1; j < boundary.faces.size(); ++j) {
             const bool ordered = boundary.faces[i].face.face < boundary.faces[j].face.face;
             const std::size_t source = ordered ? i : j, target = ordered ? j : i;
-            detail::PairOutcome outcome = detail::judge_pair(b, boundary, source, target, options);
+            detail::PairOutcome outcome = detail::judge_pair(b, boundary, patterns, source, target, options);
             if (outcome.sweep) {
                 result.candidates.push_back(std::move(*outcome.sweep));
             } else if (!outcome.obstacles.empty()) {
@@ -139,7 +140,8 @@ template <brep B>
     if (s == t) {
         throw InputError(ErrorCode::bad_option, "source and target are the same face", {boundary.faces[s].tag});
     }
-    detail::PairOutcome outcome = detail::judge_pair(b, boundary, s, t, options);
+    const detail::RolePatterns patterns(boundary, options.stacking);
+    detail::PairOutcome outcome = detail::judge_pair(b, boundary, patterns, s, t, options);
     if (!outcome.sweep) {
         throw detail::not_sweepable_error(
             boundary, {outcome.obstacles.empty() ? explain_refusal(boundary, s, t)

@@ -50,6 +50,18 @@ namespace detail {
     return roles;
 }
 
+/// A face with one loop that shares an edge with either cap.
+[[nodiscard]] inline bool reaches(const SolidBoundary& solid, std::size_t face, std::size_t source,
+                                  std::size_t target) {
+    const SolidBoundary::Face& f = solid.faces[face];
+    bool on_source = false, on_target = false;
+    for (std::size_t h = f.begin; h < f.end; ++h) {
+        on_source = on_source || solid.twin_face(h) == source;
+        on_target = on_target || solid.twin_face(h) == target;
+    }
+    return f.loops.size() == 1 && on_source && on_target;
+}
+
 /// Collects the four runs of a face with one loop; nothing if its roles are not bottom+ right+ top+ left+, cyclically.
 [[nodiscard]] inline std::optional<LinkingSide> side_from_roles(const SolidBoundary& solid, std::size_t face,
                                                                 const std::vector<SideRole>& roles) {
@@ -189,24 +201,24 @@ private:
         return true;
     }
 
-    /// Orders faces so that each one comes after those below it, keeping the first \p fixed in front; false on a cycle.
-    [[nodiscard]] bool sort_upwards(std::vector<std::size_t>& faces, std::size_t fixed) const {
+    /// Orders faces so that each one comes after those below it, the first \p bottoms (those on the source) first where
+    /// nothing else is below them; false if sides lie above each other in a circle.
+    [[nodiscard]] bool sort_upwards(std::vector<std::size_t>& faces, std::size_t bottoms) const {
         std::map<std::size_t, std::size_t> waiting;  // faces below that are not placed yet
         for (const std::size_t face : faces) {
-            waiting[face] = below(face).size();
+            waiting[face] = neighbours(face, SideRole::bottom).size();
         }
-        std::vector<std::size_t> sorted(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(fixed));
-        std::vector<std::size_t> candidates = sorted;
-        sorted.clear();
-        for (std::size_t i = 0; i < candidates.size(); ++i) {
-            const std::size_t face = candidates[i];
-            if (waiting[face] != 0) {
-                continue;
+        std::vector<std::size_t> queue, sorted;
+        for (std::size_t i = 0; i < bottoms; ++i) {
+            if (waiting[faces[i]] == 0) {
+                queue.push_back(faces[i]);
             }
-            sorted.push_back(face);
-            for (const std::size_t upper : above(face)) {
+        }
+        while (sorted.size() < queue.size()) {
+            sorted.push_back(queue[sorted.size()]);
+            for (const std::size_t upper : neighbours(sorted.back(), SideRole::top)) {
                 if (--waiting[upper] == 0) {
-                    candidates.push_back(upper);
+                    queue.push_back(upper);
                 }
             }
         }
@@ -215,6 +227,7 @@ private:
         return complete;
     }
 
+    /// The linking faces across the edges of a face that have a role.
     [[nodiscard]] std::set<std::size_t> neighbours(std::size_t face, SideRole role) const {
         std::set<std::size_t> result;
         for (std::size_t h = solid_.faces[face].begin; h < solid_.faces[face].end; ++h) {
@@ -224,15 +237,13 @@ private:
         }
         return result;
     }
-    [[nodiscard]] std::set<std::size_t> below(std::size_t face) const { return neighbours(face, SideRole::bottom); }
-    [[nodiscard]] std::set<std::size_t> above(std::size_t face) const { return neighbours(face, SideRole::top); }
 
     const SolidBoundary& solid_;
     std::size_t source_, target_;
     const std::vector<SideRole>& roles_;
 };
 
-/// The cap loop in the sweep's sense as oriented edges, rotated to begin with \p begin if that edge is part of it.
+/// A cap loop (half-edges in the sweep's sense) as oriented edges, beginning with \p begin if that edge is part of it.
 [[nodiscard]] inline EdgeLoop cap_edges(const SolidBoundary& solid, const std::vector<std::size_t>& half_edges,
                                         bool source, const OrientedEdge& begin) {
     EdgeLoop loop;
@@ -244,6 +255,37 @@ private:
         std::rotate(loop.begin(), at, loop.end());
     }
     return loop;
+}
+
+/// Adds the linking sides round the source loop that starts at half-edge \p first, and the two cap loops. Returns the
+/// loop of the target, or nothing if the sides do not form a ring.
+[[nodiscard]] inline std::optional<std::size_t> add_ring(const SolidBoundary& solid, const RoleChecker& checker,
+                                                         const std::vector<SideRole>& roles, std::size_t source,
+                                                         std::size_t target, std::size_t first, SweepTopology& sweep) {
+    const std::optional<LinkingRing> ring = checker.ring(first);
+    if (!ring) {
+        return std::nullopt;
+    }
+    std::vector<LinkingSide>& sides = sweep.loops.emplace_back();
+    for (const std::size_t face : ring->faces) {
+        std::optional<LinkingSide> side = side_from_roles(solid, face, roles);
+        if (!side) {
+            return std::nullopt;
+        }
+        sides.push_back(std::move(*side));
+        sweep.stacked = sweep.stacked || !reaches(solid, face, source, target);
+    }
+    const std::size_t top = solid.faces[target].loops[ring->target_loop];
+    sweep.source_loops.push_back(cap_edges(solid, checker.cap_loop(source, first), true, sides[0].bottom[0]));
+    EdgeLoop loop = cap_edges(solid, checker.cap_loop(target, top), false, {});
+    for (const LinkingSide& side : sides) {
+        if (const auto at = std::find(loop.begin(), loop.end(), side.top[0]); at != loop.end()) {
+            std::rotate(loop.begin(), at, loop.end());
+            break;
+        }
+    }
+    sweep.target_loops.push_back(std::move(loop));
+    return ring->target_loop;
 }
 
 /// Turns roles into a sweep between the faces at positions \p source and \p target; nothing if they do not make one.
@@ -262,37 +304,30 @@ private:
     sweep.target = t.face.face;
     sweep.source_outward = s.face.outward;
     sweep.target_outward = t.face.outward;
-    std::size_t used = 2;
+    std::size_t faces = 2;
     std::set<std::size_t> reached;
     for (const std::size_t first : s.loops) {
-        const std::optional<LinkingRing> ring = checker.ring(first);
-        if (!ring || !reached.insert(ring->target_loop).second) {
+        const auto target_loop = add_ring(solid, checker, roles, source, target, first, sweep);
+        if (!target_loop || !reached.insert(*target_loop).second) {
             return std::nullopt;
         }
-        std::vector<LinkingSide>& sides = sweep.loops.emplace_back();
-        OrientedEdge above{};
-        for (const std::size_t face : ring->faces) {
-            const std::optional<LinkingSide> side = side_from_roles(solid, face, roles);
-            if (!side) {
-                return std::nullopt;
-            }
-            sides.push_back(*side);
-            const SolidBoundary::Face& f = solid.faces[face];
-            bool on_source = false, on_target = false;
-            for (std::size_t h = f.begin; h < f.end; ++h) {
-                on_source = on_source || solid.twin_face(h) == source;
-                on_target = on_target || solid.twin_face(h) == target;
-            }
-            sweep.stacked = sweep.stacked || !on_source || !on_target;
-            above = on_target && !above.edge.valid() ? side->top.front() : above;
-        }
-        used += ring->faces.size();
-        sweep.source_loops.push_back(cap_edges(solid, checker.cap_loop(source, first), true, sides[0].bottom[0]));
-        sweep.target_loops.push_back(
-            cap_edges(solid, checker.cap_loop(target, t.loops[ring->target_loop]), false, above));
+        faces += sweep.loops.back().size();
     }
-    return used == solid.faces.size() && reached.size() == t.loops.size() ? std::optional(std::move(sweep))
-                                                                          : std::nullopt;
+    if (faces != solid.faces.size() || reached.size() != t.loops.size()) {
+        return std::nullopt;
+    }
+    return sweep;
+}
+
+/// The sweep between two faces (positions) if all side faces reach from one to the other, or nothing.
+[[nodiscard]] inline std::optional<SweepTopology> find_direct_sweep(const SolidBoundary& solid, std::size_t source,
+                                                                    std::size_t target) {
+    for (std::size_t face = 0; face < solid.faces.size(); ++face) {
+        if (face != source && face != target && !reaches(solid, face, source, target)) {
+            return std::nullopt;
+        }
+    }
+    return sweep_from_roles(solid, source, target, direct_roles(solid, source, target));
 }
 
 }  // namespace detail

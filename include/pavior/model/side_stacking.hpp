@@ -22,71 +22,127 @@ struct StackingOptions {
 
 namespace detail {
 
+/// A role for each half-edge of a face.
+using RolePattern = std::vector<SideRole>;
+
+/// All ways to see each face of a solid as a rectangle that its angles allow, best angles first. Independent of the
+/// caps, so made once a solid.
+class RolePatterns {
+public:
+    RolePatterns(const SolidBoundary& solid, const StackingOptions& options) : patterns_(solid.faces.size()) {
+        for (std::size_t face = 0; face < solid.faces.size(); ++face) {
+            make(solid, solid.faces[face], options, patterns_[face]);
+        }
+    }
+
+    [[nodiscard]] const std::vector<RolePattern>& operator[](std::size_t face) const { return patterns_[face]; }
+
+private:
+    using Weighted = std::vector<std::pair<double, RolePattern>>;
+    static constexpr std::size_t max_free = 12;  ///< of the vertices that may be corners, the sharpest are tried
+
+    static void make(const SolidBoundary& solid, const SolidBoundary::Face& f, const StackingOptions& options,
+                     std::vector<RolePattern>& result) {
+        std::vector<double> angles;
+        std::vector<std::size_t> free, corners;  // vertices that may be either, vertices that must be corners
+        for (std::size_t h = f.begin; h < f.end; ++h) {
+            const double angle = solid.half_edges[h].angle;
+            const bool corner = std::abs(angle - 90.0) <= options.corner_tolerance;
+            const bool kink = std::abs(angle - 180.0) <= options.kink_tolerance;
+            if (f.loops.size() != 1 || (!corner && !kink)) {
+                return;
+            }
+            if (corner) {
+                (kink ? free : corners).push_back(h - f.begin);
+            }
+            angles.push_back(angle);
+        }
+        std::stable_sort(free.begin(), free.end(), [&](auto p, auto q) { return angles[p] < angles[q]; });
+        free.resize(std::min(free.size(), max_free));
+        Weighted weighted;
+        choose_corners(angles, free, 0, corners, weighted);
+        std::stable_sort(weighted.begin(), weighted.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        for (auto& [weight, pattern] : weighted) {
+            result.push_back(std::move(pattern));
+        }
+    }
+
+    /// Completes \p corners to four by vertices of \p free from position \p at on, in all ways.
+    static void choose_corners(const std::vector<double>& angles, const std::vector<std::size_t>& free, std::size_t at,
+                               std::vector<std::size_t>& corners, Weighted& result) {
+        if (corners.size() == 4) {
+            add_rotations(angles, corners, result);
+        } else if (corners.size() < 4) {
+            for (std::size_t i = at; i < free.size(); ++i) {
+                corners.push_back(free[i]);
+                choose_corners(angles, free, i + 1, corners, result);
+                corners.pop_back();
+            }
+        }
+    }
+
+    static void add_rotations(const std::vector<double>& angles, std::vector<std::size_t> corners, Weighted& result) {
+        std::sort(corners.begin(), corners.end());
+        double weight = 0.0;
+        for (std::size_t i = 0; i < angles.size(); ++i) {
+            const bool corner = std::binary_search(corners.begin(), corners.end(), i);
+            weight += std::abs(angles[i] - (corner ? 90.0 : 180.0));
+        }
+        for (std::size_t rotation = 0; rotation < 4; ++rotation) {
+            RolePattern pattern(angles.size());
+            for (std::size_t i = 0; i < angles.size(); ++i) {
+                const auto passed = static_cast<std::size_t>(
+                    std::upper_bound(corners.begin(), corners.end(), i) - corners.begin());
+                pattern[i] = static_cast<SideRole>((passed + 3 + rotation) % 4);
+            }
+            result.emplace_back(weight, std::move(pattern));
+        }
+    }
+
+    std::vector<std::vector<RolePattern>> patterns_;
+};
+
 /// Depth-first search over the ways to see each side face as a rectangle, most constrained face first, best angles
 /// first; the first consistent assignment that makes a sweep is taken.
 class StackingSearch {
 public:
-    StackingSearch(const SolidBoundary& solid, std::size_t source, std::size_t target, const StackingOptions& options)
-        : solid_(solid),
-          source_(source),
-          target_(target),
-          steps_left_(options.max_steps),
-          roles_(solid.half_edges.size(), SideRole::none),
-          patterns_(solid.faces.size()),
-          done_(solid.faces.size(), false) {
+    StackingSearch(const SolidBoundary& solid, const RolePatterns& patterns, std::size_t source, std::size_t target,
+                   const StackingOptions& options)
+        : solid_(solid), patterns_(patterns), source_(source), target_(target), steps_left_(options.max_steps) {
+        if (!possible()) {
+            steps_left_ = 0;
+            return;
+        }
+        roles_.assign(solid.half_edges.size(), SideRole::none);
+        done_.assign(solid.faces.size(), false);
+        direct_.resize(solid.faces.size());
         const std::vector<SideRole> direct = direct_roles(solid, source, target);
         for (std::size_t face = 0; face < solid.faces.size(); ++face) {
             done_[face] = face == source || face == target;
             if (!done_[face]) {
-                patterns_[face] = make_patterns(face, options);
                 add_direct(face, direct, options);
-                possible_ = possible_ && !patterns_[face].empty();
             }
         }
     }
 
     [[nodiscard]] std::optional<SweepTopology> run() {
-        if (possible_) {
+        if (steps_left_ != 0) {
             extend();
         }
         return std::move(found_);
     }
 
 private:
-    using Pattern = std::vector<SideRole>;  ///< a role for each half-edge of a face
-
-    [[nodiscard]] bool corner_allowed(std::size_t h, const StackingOptions& options) const {
-        return std::abs(solid_.half_edges[h].angle - 90.0) <= options.corner_tolerance;
-    }
-    [[nodiscard]] bool kink_allowed(std::size_t h, const StackingOptions& options) const {
-        return std::abs(solid_.half_edges[h].angle - 180.0) <= options.kink_tolerance;
-    }
-
-    /// All ways to choose four corners of a face and one of them as start of the bottom, best angles first.
-    [[nodiscard]] std::vector<Pattern> make_patterns(std::size_t face, const StackingOptions& options) const {
-        std::vector<Pattern> result;
-        const SolidBoundary::Face& f = solid_.faces[face];
-        if (f.loops.size() != 1) {
-            return result;
-        }
-        std::vector<std::size_t> free, corners;  // vertices that may be either, vertices that must be corners
-        for (std::size_t h = f.begin; h < f.end; ++h) {
-            const bool corner = corner_allowed(h, options), kink = kink_allowed(h, options);
-            if (!corner && !kink) {
-                return result;
-            }
-            if (corner) {
-                (kink ? free : corners).push_back(h - f.begin);
+    /// Every side face has a pattern, or at least meets both caps.
+    [[nodiscard]] bool possible() const {
+        for (std::size_t face = 0; face < solid_.faces.size(); ++face) {
+            if (face != source_ && face != target_ && patterns_[face].empty() &&
+                !reaches(solid_, face, source_, target_)) {
+                return false;
             }
         }
-        std::vector<std::pair<double, Pattern>> weighted;
-        choose_corners(f, free, 0, corners, weighted);
-        std::stable_sort(weighted.begin(), weighted.end(),
-                         [](const auto& a, const auto& b) { return a.first < b.first; });
-        for (auto& [weight, pattern] : weighted) {
-            result.push_back(std::move(pattern));
-        }
-        return result;
+        return true;
     }
 
     /// A face that reaches from cap to cap by topology needs no angles but at the kinks of its ribs.
@@ -98,49 +154,16 @@ private:
         for (std::size_t h = f.begin; h < f.end; ++h) {
             const SideRole role = direct[h];
             const bool inside = role == direct[h == f.begin ? f.end - 1 : h - 1];
-            if (inside && (role == SideRole::left || role == SideRole::right) && !kink_allowed(h, options)) {
+            if (inside && (role == SideRole::left || role == SideRole::right) &&
+                std::abs(solid_.half_edges[h].angle - 180.0) > options.kink_tolerance) {
                 return;
             }
         }
-        patterns_[face].emplace(patterns_[face].begin(), direct.begin() + offset(face),
-                                direct.begin() + end_offset(face));
-    }
-
-    void choose_corners(const SolidBoundary::Face& f, const std::vector<std::size_t>& free, std::size_t at,
-                        std::vector<std::size_t>& corners, std::vector<std::pair<double, Pattern>>& result) const {
-        if (corners.size() == 4) {
-            add_rotations(f, corners, result);
-        } else if (corners.size() < 4) {
-            for (std::size_t i = at; i < free.size(); ++i) {
-                corners.push_back(free[i]);
-                choose_corners(f, free, i + 1, corners, result);
-                corners.pop_back();
-            }
-        }
-    }
-
-    void add_rotations(const SolidBoundary::Face& f, std::vector<std::size_t> corners,
-                       std::vector<std::pair<double, Pattern>>& result) const {
-        std::sort(corners.begin(), corners.end());
-        const std::size_t n = f.end - f.begin;
-        double weight = 0.0;
-        for (std::size_t i = 0; i < n; ++i) {
-            const bool corner = std::binary_search(corners.begin(), corners.end(), i);
-            weight += std::abs(solid_.half_edges[f.begin + i].angle - (corner ? 90.0 : 180.0));
-        }
-        for (std::size_t rotation = 0; rotation < 4; ++rotation) {
-            Pattern pattern(n);
-            for (std::size_t i = 0; i < n; ++i) {
-                const auto passed = static_cast<std::size_t>(
-                    std::upper_bound(corners.begin(), corners.end(), i) - corners.begin());
-                pattern[i] = static_cast<SideRole>((passed + 3 + rotation) % 4);
-            }
-            result.emplace_back(weight, std::move(pattern));
-        }
+        direct_[face].assign(direct.begin() + offset(face), direct.begin() + end_offset(face));
     }
 
     /// The pattern agrees with the caps and the roles given so far. \p known counts the half-edges that it had to meet.
-    [[nodiscard]] bool fits(std::size_t face, const Pattern& pattern, std::size_t& known) const {
+    [[nodiscard]] bool fits(std::size_t face, const RolePattern& pattern, std::size_t& known) const {
         known = 0;
         for (std::size_t i = 0; i < pattern.size(); ++i) {
             const std::size_t h = solid_.faces[face].begin + i, twin = solid_.half_edges[h].twin;
@@ -162,22 +185,28 @@ private:
     }
 
     /// The patterns of a face that fit; \p known tells whether the face had anything to meet.
-    [[nodiscard]] std::vector<const Pattern*> fitting_patterns(std::size_t face, bool& known) const {
-        std::vector<const Pattern*> result;
+    [[nodiscard]] std::vector<const RolePattern*> fitting_patterns(std::size_t face, bool& known) const {
+        std::vector<const RolePattern*> result;
         std::size_t met = 0;
         known = false;
-        for (const Pattern& pattern : patterns_[face]) {
+        const auto consider = [&](const RolePattern& pattern) {
             if (fits(face, pattern, met)) {
                 result.push_back(&pattern);
             }
             known = known || met != 0;
+        };
+        if (!direct_[face].empty()) {
+            consider(direct_[face]);
+        }
+        for (const RolePattern& pattern : patterns_[face]) {
+            consider(pattern);
         }
         return result;
     }
 
     /// The unfinished face with the fewest fitting patterns, of those that have something to meet if there are any;
     /// faces.size() if all are done.
-    [[nodiscard]] std::size_t pick(std::vector<const Pattern*>& fitting) const {
+    [[nodiscard]] std::size_t pick(std::vector<const RolePattern*>& fitting) const {
         std::size_t best = solid_.faces.size();
         std::pair<bool, std::size_t> best_rank;
         for (std::size_t face = 0; face < solid_.faces.size(); ++face) {
@@ -185,7 +214,7 @@ private:
                 continue;
             }
             bool known = false;
-            std::vector<const Pattern*> candidates = fitting_patterns(face, known);
+            std::vector<const RolePattern*> candidates = fitting_patterns(face, known);
             const std::pair rank(!known, candidates.size());
             if (best == solid_.faces.size() || rank < best_rank) {
                 best = face;
@@ -197,14 +226,14 @@ private:
     }
 
     void extend() {
-        std::vector<const Pattern*> fitting;
+        std::vector<const RolePattern*> fitting;
         const std::size_t face = pick(fitting);
         if (face == solid_.faces.size()) {
             found_ = sweep_from_roles(solid_, source_, target_, roles_);
             return;
         }
         done_[face] = true;
-        for (const Pattern* pattern : fitting) {
+        for (const RolePattern* pattern : fitting) {
             if (found_ || steps_left_ == 0) {
                 break;
             }
@@ -224,21 +253,22 @@ private:
     }
 
     const SolidBoundary& solid_;
+    const RolePatterns& patterns_;
     std::size_t source_, target_;
     std::size_t steps_left_;
     std::vector<SideRole> roles_;
-    std::vector<std::vector<Pattern>> patterns_;
+    std::vector<RolePattern> direct_;
     std::vector<bool> done_;
-    bool possible_ = true;
     std::optional<SweepTopology> found_;
 };
 
 /// A sweep from \p source to \p target (positions) with sides above each other, or nothing. Exact for the angles
 /// allowed by \p options as long as the search stays below options.max_steps.
-[[nodiscard]] inline std::optional<SweepTopology> find_stacked_sweep(const SolidBoundary& solid, std::size_t source,
+[[nodiscard]] inline std::optional<SweepTopology> find_stacked_sweep(const SolidBoundary& solid,
+                                                                     const RolePatterns& patterns, std::size_t source,
                                                                      std::size_t target,
                                                                      const StackingOptions& options) {
-    return StackingSearch(solid, source, target, options).run();
+    return StackingSearch(solid, patterns, source, target, options).run();
 }
 
 }  // namespace detail

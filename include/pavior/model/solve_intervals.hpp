@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -16,28 +17,36 @@ namespace pavior {
 
 namespace detail {
 
-/// Whether the equal and even rules among \p active have a solution modulo 2 (Gaussian elimination).
+/// Whether the equal and even rules among \p active have a solution modulo 2. Gaussian elimination, O(r^2 n / 64).
 [[nodiscard]] inline bool parity_possible(const IntervalSystem& system, const std::vector<std::size_t>& active) {
-    std::vector<std::pair<std::size_t, std::vector<bool>>> pivots;  // pivot column and reduced row
-    const std::size_t n = system.edges.size();
+    using Words = std::vector<std::uint64_t>;
+    const std::size_t n = system.edges.size();  // bit n is the right-hand side
+    const auto flip = [](Words& row, std::size_t bit) { row[bit / 64] ^= std::uint64_t{1} << (bit % 64); };
+    const auto test = [](const Words& row, std::size_t bit) { return ((row[bit / 64] >> (bit % 64)) & 1U) != 0; };
+    std::vector<std::pair<std::size_t, Words>> pivots;
     for (const std::size_t i : active) {
         const IntervalRule& rule = system.rules[i];
         if (rule.kind == IntervalRule::Kind::at_least) {
             continue;
         }
-        std::vector<bool> row(n + 1, false);  // the last column is the right-hand side
+        Words row(n / 64 + 1, 0);
         for (const auto& [edge, coefficient] : rule.terms) {
-            row[edge] = row[edge] != (coefficient % 2 != 0);
-        }
-        row[n] = rule.kind == IntervalRule::Kind::equal && rule.value % 2 != 0;
-        for (const auto& [column, pivot] : pivots) {
-            if (row[column]) {
-                for (std::size_t j = 0; j <= n; ++j) {
-                    row[j] = row[j] != pivot[j];
-                }
+            if (coefficient % 2 != 0) {
+                flip(row, edge);
             }
         }
-        const auto column = static_cast<std::size_t>(std::find(row.begin(), row.end(), true) - row.begin());
+        if (rule.kind == IntervalRule::Kind::equal && rule.value % 2 != 0) {
+            flip(row, n);
+        }
+        for (const auto& [column, pivot] : pivots) {
+            if (test(row, column)) {
+                std::transform(row.begin(), row.end(), pivot.begin(), row.begin(), std::bit_xor<>());
+            }
+        }
+        std::size_t column = 0;
+        while (column <= n && !test(row, column)) {
+            ++column;
+        }
         if (column == n) {
             return false;
         }
@@ -50,40 +59,27 @@ namespace detail {
 
 }  // namespace detail
 
-/// The numbers found for a system, or the rules that contradict each other.
+/// The numbers found for a system.
 struct IntervalResult {
-    std::vector<int> numbers;            ///< per edge; empty if none were found
-    double objective = 0.0;              ///< sum of interval_cost over the edges
-    bool optimal = false;                ///< proven best
-    std::vector<std::size_t> conflict;   ///< if infeasible: rules (ascending) that cannot hold together
+    ProgramStatus status = ProgramStatus::unsolved;
+    std::vector<int> numbers;     ///< per edge; empty unless the status is optimal or feasible
+    double objective = 0.0;       ///< sum of interval_cost over the edges
+    std::vector<std::size_t> rules;  ///< if infeasible: the rules (ascending) of the part that has no solution
 };
 
 namespace detail {
 
 /// Whether the rules contradict each other, for certain.
 template <class Solver>
-[[nodiscard]] bool contradict(const IntervalSystem& system, const std::vector<std::size_t>& active, Solver& solver) {
+[[nodiscard]] bool contradict(const IntervalSystem& system, const std::vector<std::size_t>& active, Solver&& solver) {
     return !parity_possible(system, active) ||
            solver(IntervalProgram(system, active, false).program()).status == ProgramStatus::infeasible;
 }
 
-/// Drops rules from \p active, in chunks of falling size, as long as the rest still contradicts itself.
-template <class Solver>
-[[nodiscard]] std::vector<std::size_t> reduce_conflict(const IntervalSystem& system, std::vector<std::size_t> active,
-                                                       Solver& solver) {
-    for (std::size_t chunk = std::max<std::size_t>(active.size() / 2, 1); chunk > 0; chunk /= 2) {
-        for (std::size_t at = 0; at < active.size();) {
-            std::vector<std::size_t> rest(active.begin(), active.begin() + static_cast<std::ptrdiff_t>(at));
-            const std::size_t end = std::min(at + chunk, active.size());
-            rest.insert(rest.end(), active.begin() + static_cast<std::ptrdiff_t>(end), active.end());
-            if (contradict(system, rest, solver)) {
-                active = std::move(rest);
-            } else {
-                at += chunk;
-            }
-        }
-    }
-    return active;
+/// The best number for an edge that no rule binds.
+[[nodiscard]] inline int best_alone(const IntervalEdge& edge) {
+    const int n = std::max(edge.lower, static_cast<int>(std::floor(edge.wish)));
+    return interval_cost(n + 1, edge.wish) < interval_cost(n, edge.wish) ? n + 1 : n;
 }
 
 /// The rules of each connected part of the system, so that parts are solved on their own.
@@ -140,48 +136,58 @@ struct SystemPart {
 /// to the wish where wishes are small (below about 7) and next to each wish, and linear between numbers 15 % apart
 /// otherwise. Edges without a rule take the best number by themselves; unconnected parts are solved one by one.
 /// \p solver turns an IntegerProgram into an IntegerSolution, e.g. `solve`. Deterministic if the solver is.
-/// If no numbers are found and none can be proven missing (time is up), both `numbers` and `conflict` are empty.
 template <class Solver>
 [[nodiscard]] IntervalResult solve_intervals(const IntervalSystem& system, Solver&& solver) {
     IntervalResult result;
-    result.optimal = true;
+    result.status = ProgramStatus::optimal;
     result.numbers.resize(system.edges.size(), 0);
     for (const std::vector<std::size_t>& rules : detail::connected_rules(system)) {
         const detail::SystemPart part = detail::system_part(system, rules);
         std::vector<std::size_t> all(rules.size());
         std::iota(all.begin(), all.end(), std::size_t{0});
         const detail::IntervalProgram program(part.system, all, true);
-        IntegerSolution solution;
+        IntegerSolution solution{ProgramStatus::infeasible, 0.0, {}};
         if (detail::parity_possible(part.system, all)) {
             solution = solver(program.program());
-        } else {
-            solution.status = ProgramStatus::infeasible;
         }
         if (!solution.found()) {
-            result = {};
-            if (solution.status == ProgramStatus::infeasible) {
-                for (const std::size_t i : detail::reduce_conflict(part.system, all, solver)) {
-                    result.conflict.push_back(rules[i]);
-                }
-            }
-            return result;
+            return {solution.status, {}, 0.0, rules};
         }
-        result.optimal = result.optimal && solution.status == ProgramStatus::optimal;
+        if (solution.status == ProgramStatus::feasible) {
+            result.status = ProgramStatus::feasible;
+        }
         const std::vector<int> numbers = program.numbers(solution);
         for (std::size_t e = 0; e < numbers.size(); ++e) {
             result.numbers[part.edges[e]] = numbers[e];
         }
     }
     for (std::size_t e = 0; e < system.edges.size(); ++e) {
-        int& n = result.numbers[e];
-        if (n == 0) {
-            const double wish = system.edges[e].wish;
-            n = std::max(system.edges[e].lower, static_cast<int>(std::floor(wish)));
-            n += interval_cost(n + 1, wish) < interval_cost(n, wish) ? 1 : 0;
+        if (result.numbers[e] == 0) {
+            result.numbers[e] = detail::best_alone(system.edges[e]);
         }
-        result.objective += interval_cost(n, system.edges[e].wish);
+        result.objective += interval_cost(result.numbers[e], system.edges[e].wish);
     }
     return result;
+}
+
+/// Of the rules \p active, which contradict each other, a subset that still does, although no proper part of it does
+/// as far as parity and the solver can tell. About r log r calls of the solver for a subset of r rules.
+template <class Solver>
+[[nodiscard]] std::vector<std::size_t> conflicting_rules(const IntervalSystem& system, std::vector<std::size_t> active,
+                                                         Solver&& solver) {
+    for (std::size_t chunk = std::max<std::size_t>(active.size() / 2, 1); chunk > 0; chunk /= 2) {
+        for (std::size_t at = 0; at < active.size();) {
+            const std::size_t end = std::min(at + chunk, active.size());
+            std::vector<std::size_t> rest(active.begin(), active.begin() + static_cast<std::ptrdiff_t>(at));
+            rest.insert(rest.end(), active.begin() + static_cast<std::ptrdiff_t>(end), active.end());
+            if (detail::contradict(system, rest, solver)) {
+                active = std::move(rest);
+            } else {
+                at = end;
+            }
+        }
+    }
+    return active;
 }
 
 }  // namespace pavior

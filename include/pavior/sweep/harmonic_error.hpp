@@ -2,10 +2,12 @@
 /// \file
 /// Boundary error by discrete harmonic functions on the quads of a cap.
 
+#include <pavior/core/assert.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/core/execution.hpp>
 #include <pavior/math/point.hpp>
 #include <pavior/mesh/cells.hpp>
+#include <pavior/sweep/detail/verify_loops.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
@@ -17,6 +19,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace pavior {
@@ -36,6 +39,10 @@ public:
     /// \throws InputError non_manifold if some inner node is not connected to the loops by quads
     HarmonicError(std::span<const Vec3> nodes, std::span<const QuadCorners> quads, std::span<const Index> loop)
         : loop_size_(static_cast<Eigen::Index>(loop.size())), unknown_(nodes.size(), unused) {
+        if (const auto lost = detail::unreached_node(nodes.size(), quads, loop)) {
+            throw InputError(ErrorCode::non_manifold,
+                             "no quads connect node " + std::to_string(*lost) + " to the loops", {*lost});
+        }
         for (const QuadCorners& quad : quads) {
             for (const Index i : quad) {
                 unknown_[i] = pending;
@@ -105,9 +112,7 @@ private:
         coupling_.resize(n, loop_size_);
         coupling_.setFromTriplets(coupling.begin(), coupling.end());
         factor_ = std::make_shared<Eigen::SimplicialLDLT<Matrix>>(matrix);
-        if (n > 0 && factor_->info() != Eigen::Success) {
-            throw InputError(ErrorCode::non_manifold, "harmonic correction: nodes that no quads connect to the loops");
-        }
+        PAVIOR_ASSERT(n == 0 || factor_->info() == Eigen::Success);
     }
 
     /// stableNorm() keeps 1e200 and 1e-200 right; an edge of length zero counts as very short.

@@ -34,8 +34,12 @@ public:
     };
 
     InverseDistanceError(std::span<const Vec3> nodes, std::span<const Index> loop) {
-        const auto local = centring(Eigen::Map<const Eigen::Matrix<double, 3, Eigen::Dynamic>>(
-            nodes.data()->data(), 3, static_cast<Eigen::Index>(nodes.size())));
+        // The centre comes from the loops, whose order does not depend on the numbering of the nodes.
+        Eigen::Matrix<double, 3, Eigen::Dynamic> points(3, static_cast<Eigen::Index>(loop.size()));
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            points.col(static_cast<Eigen::Index>(i)) = nodes[loop[i]];
+        }
+        const auto local = centring(points);
         scale_ = local.scale;
         const std::size_t padded = (nodes.size() + detail::weight_tile - 1) / detail::weight_tile * detail::weight_tile;
         for (std::size_t c = 0; c < 3; ++c) {

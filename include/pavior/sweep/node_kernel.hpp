@@ -45,7 +45,7 @@ namespace detail {
 inline constexpr std::size_t weight_tile = 16;
 inline constexpr std::size_t strip_columns = 12;
 /// Added to squared distances (of a cap of size 1), so that a node at distance zero takes all.
-inline constexpr double least_square_distance = 1e-280;
+inline constexpr double least_square_distance = 1e-100;
 
 /// Positions of nodes [begin, end): out[3 * (i - begin) + c] is coordinate c of node i. \p correction is null or holds
 /// what is added to it at [c * stride + (i - begin)].

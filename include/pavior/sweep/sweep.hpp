@@ -5,6 +5,7 @@
 #include <pavior/affine/method.hpp>
 #include <pavior/core/execution.hpp>
 #include <pavior/core/progress.hpp>
+#include <pavior/mesh/builders.hpp>
 #include <pavior/mesh/verify_quads.hpp>
 #include <pavior/sweep/boundary_error.hpp>
 #include <pavior/sweep/inner_layers.hpp>
@@ -139,6 +140,27 @@ inline void report_maps(std::span<const LevelMap> maps, SweepReport& report) {
     prepared.layers.all_levels(nodes, options.execution, options.progress);
     prepared.report.nodes_seconds = watch.lap();
     return {SweepMesh(std::move(nodes), swept.quads, swept.layers), std::move(prepared.report)};
+}
+
+/// Streams the mesh into \p builder: nodes level by level, then hexahedra layer by layer, numbered as SweepMesh. Memory
+/// for at most 16 levels. \throws InputError overflow if 32 bits cannot number nodes and hexahedra
+template <hex_builder B>
+void write(const InnerLayers& layers, B& builder, Execution execution = {}, const Progress& progress = {}) {
+    const SweepProblem& problem = layers.problem();
+    const SweepNumbering numbering{problem.level_size(), problem.layers};
+    numbering.check(problem.quads.size());
+    reserve(builder, layers.level_size() * layers.level_count(), problem.layers * problem.quads.size());
+    const auto add_nodes = [&](std::size_t, std::span<const Vec3> nodes) {
+        for (const Vec3& x : nodes) {
+            builder.add_node(x);
+        }
+    };
+    layers.for_each_level(add_nodes, execution, progress);
+    for (std::size_t k = 0; k < problem.layers; ++k) {
+        for (const QuadCorners& quad : problem.quads) {
+            builder.add_hex(numbering.hex(k, quad));
+        }
+    }
 }
 
 /// Sweeps any source mesh, target nodes and levels; see make_sweep_problem().

@@ -148,6 +148,9 @@ private:
                                                                      problem_.source_nodes.size());
         if (!match.message.empty()) {
             add(ErrorCode::loops_do_not_match_mesh, match.message, match.ids);
+        } else if (const auto lost = unreached_node(problem_.source_nodes.size(), problem_.quads, problem_.loops.nodes)) {
+            add(ErrorCode::loops_do_not_match_mesh,
+                "the sheet of quads with node " + std::to_string(*lost) + " has no boundary", {*lost});
         }
     }
 
@@ -229,7 +232,7 @@ private:
 /// 1. empty_input: no nodes, loops or layers; 2. size_mismatch between the arrays; 3. not_finite, overflow (beyond
 /// 1e300); 4. the quads: bad_index, bad_orientation, non_manifold, unused_node (as verify_quads; without quads there is
 /// nothing to check); 5. the loops: bad_index, loops_do_not_match_mesh (a loop too many or too few, a node missing or
-/// twice, some loops reversed; all of them reversed is no fault); 6. inconsistent_boundary; 7. for each level
+/// twice, some loops reversed, a closed sheet of quads; all loops reversed is no fault); 6. inconsistent_boundary; 7. for each level
 /// source_degenerate (level 0), target_degenerate (others), null_pseudo_area; 8. orientation_reversed between
 /// neighbouring levels. Pairs of loops without correlation (unrelated_loops) show when the maps are fitted.
 /// O(n + quads + m r), with sorts; read-only, thread-safe.

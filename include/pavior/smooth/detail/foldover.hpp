@@ -26,10 +26,11 @@ struct FoldoverResult {
     int iterations = 0;  ///< of L-BFGS
 };
 
-/// Next epsilon of \cite garanzha2021: with \p decrease = max(1/10, 1 - F_new / F_old) the determinants
-/// become positive after finitely many steps if every step minimises well enough and a valid mesh exists.
-[[nodiscard]] inline double next_epsilon(double epsilon, double min_det, double energy_before, double energy_after) {
-    const double decrease = std::max(0.1, 1.0 - energy_after / energy_before);
+/// Next epsilon of \cite garanzha2021. With \p least_decrease = 1/10 the determinants become positive after finitely
+/// many steps if every step minimises well enough and a valid mesh exists; after a step that has converged 3/10 will do.
+[[nodiscard]] inline double next_epsilon(double epsilon, double min_det, double energy_before, double energy_after,
+                                         double least_decrease = 0.1) {
+    const double decrease = std::max(least_decrease, 1.0 - energy_after / energy_before);
     if (min_det >= 0.0) {
         return (1.0 - decrease) * epsilon;
     }
@@ -54,6 +55,7 @@ FoldoverResult minimise_foldover(Energy& energy, Eigen::VectorXd& x, const Foldo
         };
         const LbfgsResult done = lbfgs.minimise(x, value, {iterations, tolerance, 1e-10}, diagonal);
         result.iterations += done.iterations;
+        return done.iterations < iterations;
     };
     energy.refresh(x);
     const double initial_det = energy.evaluate(x, mode, gradient).min_det;
@@ -61,18 +63,21 @@ FoldoverResult minimise_foldover(Energy& energy, Eigen::VectorXd& x, const Foldo
     for (int k = 0; k < options.max_steps; ++k) {
         energy.refresh(x);
         const double before = energy.evaluate(x, mode, gradient).energy;
-        step(options.inner_iterations, 1e-4);
+        const bool converged = step(options.inner_iterations, 1e-4);
         const EnergyValue after = energy.evaluate(x, mode, gradient);
         if (after.min_det > 0.0 && after.energy > (1.0 - 1e-3) * before && mode.epsilon < 0.3 * after.min_det) {
             break;
         }
+        if (mode.epsilon < -(converged ? 0.1 : 0.03) * after.min_det) {
+            break;  // a minimum, and what is inverted stays so however small epsilon: no valid mesh in reach
+        }
         if (k % 15 == 14) {
             if (after.min_det <= 0.0 && after.min_det < 0.95 * reference_det) {
-                break;  // nothing gained for a long time: no valid mesh in reach
+                break;  // nothing gained for a long time
             }
             reference_det = after.min_det;
         }
-        mode.epsilon = std::min(next_epsilon(mode.epsilon, after.min_det, before, after.energy),
+        mode.epsilon = std::min(next_epsilon(mode.epsilon, after.min_det, before, after.energy, converged ? 0.3 : 0.1),
                                 std::max(1.0, -after.min_det));
         mode.epsilon = std::max(1e-9, mode.epsilon);
     }

@@ -195,7 +195,7 @@ private:
             const bool gained = tangled ? after.inverted < seed.fewest : better;
             seed.idle = gained ? 0 : seed.idle + 1;
             seed.fewest = std::min(seed.fewest, after.inverted);
-            last = last || seed.idle >= (tangled && patch.cells.size() <= large_patch ? 8 : 2);
+            last = last || seed.idle >= (tangled && patch.cells.size() <= large_patch ? 4 : 2);
         }
         keep(patch, better && (!tangled || last));
         if (last || (!tangled && (after.inverted != 0 || after.least >= options_.sufficient_det))) {
@@ -256,7 +256,7 @@ private:
     }
 
     static constexpr int all_rings = 1 << 30;
-    static constexpr std::size_t large_patch = 5000;
+    static constexpr std::size_t large_patch = 2000;
 
     Model& model_;
     const UntangleOptions& options_;

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "exit_code.hpp"
+
+#include <pavior/affine/method.hpp>
+#include <pavior/sweep/boundary_error.hpp>
+#include <pavior/sweep/level_map.hpp>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace pavior::cli {
+
+/// Options of `pavior sweep`.
+struct SweepCommand {
+    std::string input, output;
+    double size = 0;  ///< 0: a twelfth of the diagonal of the model
+    std::map<int, double> edge_size, face_size, solid_size;
+    std::optional<int> layers;
+    AffineMethod method = AffineMethod::constrained;
+    SweepStrategy strategy = SweepStrategy::direct;
+    BoundaryCorrection correction = BoundaryCorrection::idw;
+    bool smooth = true;
+    std::optional<int> source, target;  ///< tags of faces
+    unsigned threads = 0;               ///< 0: one a core
+    std::string report;
+    bool quiet = false;
+    bool keep_invalid = false;
+};
+
+/// Options of `pavior quality`.
+struct QualityCommand {
+    std::string mesh;
+    std::string report;
+    unsigned threads = 0;
+};
+
+ExitCode run_sweep(const SweepCommand& command);
+ExitCode run_quality(const QualityCommand& command);
+
+}  // namespace pavior::cli

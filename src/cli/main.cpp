@@ -1,0 +1,132 @@
+#include "commands.hpp"
+
+#include <pavior/core/error.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <exception>
+#include <iostream>
+
+namespace pavior::cli {
+
+namespace {
+
+/// "edge:12=0.5" into the map of its kind.
+void add_local_size(const std::string& text, SweepCommand& command) {
+    const std::size_t colon = text.find(':');
+    const std::size_t equals = text.find('=');
+    const std::string kind = text.substr(0, colon);
+    std::map<int, double>* sizes = kind == "edge"    ? &command.edge_size
+                                   : kind == "face"  ? &command.face_size
+                                   : kind == "solid" ? &command.solid_size
+                                                     : nullptr;
+    try {
+        if (sizes != nullptr && colon != std::string::npos && equals != std::string::npos && colon < equals) {
+            std::size_t tag_end = 0;
+            std::size_t size_end = 0;
+            const std::string tag_text = text.substr(colon + 1, equals - colon - 1);
+            const std::string size_text = text.substr(equals + 1);
+            const int tag = std::stoi(tag_text, &tag_end);
+            const double size = std::stod(size_text, &size_end);
+            if (tag_end == tag_text.size() && size_end == size_text.size() && size > 0) {
+                (*sizes)[tag] = size;
+                return;
+            }
+        }
+    } catch (const std::logic_error&) {  // not a number: said below
+    }
+    throw InputError(ErrorCode::bad_option, "--local-size " + text + ": KIND:TAG=H expected, KIND edge, face or solid");
+}
+
+/// An option that takes one of some names; value is set when the option is given.
+template <class T>
+void add_choice(CLI::App& app, const std::string& option, T& value, const std::map<std::string, T>& choices,
+                const std::string& help) {
+    std::string names;
+    for (const auto& choice : choices) {
+        names += (names.empty() ? "" : "|") + choice.first;
+    }
+    const auto set = [&value, choices](const std::string& name) { value = choices.at(name); };
+    app.add_option_function<std::string>(option, set, help)->check(CLI::IsMember(choices))->type_name(names);
+}
+
+void add_sweep(CLI::App& app, SweepCommand& command, std::vector<std::string>& local_sizes) {
+    app.add_option("input", command.input, "CAD model (.step .stp .iges .igs .brep) or sweep problem (.json)")
+        ->required();
+    app.add_option("-o,--output", command.output, "mesh to write (.vtu .vtk .msh .inp)")->required();
+    app.add_option("--size", command.size, "length of mesh edges; default: a twelfth of the model's diagonal")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--local-size", local_sizes, "other length for one entity: edge:12=0.5, face:3=1, solid:1=2");
+    app.add_option("--layers", command.layers, "number of layers in every solid")->check(CLI::Range(1, 1000000));
+    add_choice(app, "--method", command.method,
+               {{"constrained", AffineMethod::constrained},
+                {"h", AffineMethod::h},
+                {"g", AffineMethod::g},
+                {"f", AffineMethod::f}},
+               "affine map of the inner layers, default constrained");
+    add_choice(app, "--strategy", command.strategy,
+               {{"direct", SweepStrategy::direct}, {"front", SweepStrategy::front}},
+               "levels straight from both caps (direct, default) or from level to level (front)");
+    add_choice(app, "--correction", command.correction,
+               {{"idw", BoundaryCorrection::idw},
+                {"harmonic", BoundaryCorrection::harmonic},
+                {"none", BoundaryCorrection::none}},
+               "boundary correction, default idw");
+    add_choice(app, "--smooth", command.smooth, {{"auto", true}, {"off", false}},
+               "auto (default): move nodes where a cell would be inverted; off: never");
+    app.add_option("--source", command.source, "tag of the source face");
+    app.add_option("--target", command.target, "tag of the target face");
+    app.add_option("--threads", command.threads, "threads, 0: one a core; the mesh does not depend on it");
+    app.add_option("--report", command.report, "write a report in JSON");
+    app.add_flag("--quiet", command.quiet, "print nothing but errors and warnings");
+    app.add_flag("--keep-invalid", command.keep_invalid, "write the mesh even if it is not valid (exit code 1)");
+}
+
+ExitCode run(int argc, char** argv) {
+    CLI::App app("pavior fills solids with hexahedra.\n"
+                 "Exit codes: 0 valid mesh; 1 mesh made but not valid; 2 bad input or options; 3 not meshable");
+    app.require_subcommand(1);
+    SweepCommand sweep;
+    std::vector<std::string> local_sizes;
+    CLI::App& sweep_app = *app.add_subcommand("sweep", "hexahedra for one-to-one sweepable solids");
+    add_sweep(sweep_app, sweep, local_sizes);
+    QualityCommand quality;
+    CLI::App& quality_app = *app.add_subcommand("quality", "quality and conformity of a hexahedral mesh");
+    quality_app.add_option("mesh", quality.mesh, "mesh (.vtu .vtk .msh .inp)")->required();
+    quality_app.add_option("--report", quality.report, "write a report in JSON");
+    quality_app.add_option("--threads", quality.threads, "threads, 0: one a core");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? exit_valid : exit_bad_input;
+    }
+    if (quality_app.parsed()) {
+        return run_quality(quality);
+    }
+    for (const std::string& text : local_sizes) {
+        add_local_size(text, sweep);
+    }
+    return run_sweep(sweep);
+}
+
+}  // namespace
+
+}  // namespace pavior::cli
+
+int main(int argc, char** argv) {
+    using namespace pavior;
+    try {
+        return cli::run(argc, argv);
+    } catch (const UnmeshableError& error) {
+        std::cerr << "pavior: not meshable: " << error.what() << "\n";
+        return cli::exit_not_meshable;
+    } catch (const Error& error) {
+        std::cerr << "pavior: " << error.what() << "\n";
+        return error.code() == ErrorCode::cad_failure ? cli::exit_not_meshable : cli::exit_bad_input;
+    } catch (const std::bad_alloc&) {
+        std::cerr << "pavior: not enough memory\n";
+    } catch (const std::exception& error) {
+        std::cerr << "pavior: " << error.what() << "\n";
+    }
+    return cli::exit_bad_input;
+}

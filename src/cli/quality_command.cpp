@@ -1,0 +1,20 @@
+#include "check.hpp"
+#include "commands.hpp"
+#include "report_file.hpp"
+
+#include <iostream>
+
+namespace pavior::cli {
+
+ExitCode run_quality(const QualityCommand& command) {
+    const HexMeshData data = read_mesh(command.mesh);
+    const MeshCheck check = check_mesh(data, Execution{command.threads});
+    std::cout << command.mesh << "\n";
+    print_check(std::cout, data, check);
+    nlohmann::json json = to_json(data, check);
+    json["mesh"] = command.mesh;
+    write_report(command.report, json);
+    return check.valid() ? exit_valid : exit_invalid;
+}
+
+}  // namespace pavior::cli

@@ -1,0 +1,187 @@
+#include "swept.hpp"
+
+#include <pavior/cad/cap_mesh.hpp>
+#include <pavior/cad/gmsh_brep.hpp>
+#include <pavior/core/error.hpp>
+#include <pavior/model/intervals.hpp>
+#include <pavior/model/recognition.hpp>
+#include <pavior/model/sweep_model.hpp>
+
+#include <chrono>
+#include <cmath>
+
+namespace pavior::cli {
+
+namespace {
+
+using Json = nlohmann::json;
+
+FaceId face_with_tag(const GmshBrep& model, int tag, const std::string& option) {
+    const auto index = model.find(2, tag);
+    if (!index) {
+        throw InputError(ErrorCode::bad_option, option + " " + std::to_string(tag) + ": the model has no such face", {tag});
+    }
+    return FaceId{static_cast<std::int32_t>(*index)};
+}
+
+bool has_face(const GmshBrep& model, SolidId solid, FaceId face) {
+    for (const OrientedFace& f : model.solid_faces(solid)) {
+        if (f.face == face) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The first candidate that honours --source and --target as far as they name faces of this solid.
+SweepTopology choose(const GmshBrep& model, SolidId solid, std::optional<FaceId> source, std::optional<FaceId> target) {
+    const bool with_source = source && has_face(model, solid, *source);
+    const bool with_target = target && has_face(model, solid, *target);
+    if (with_source && with_target) {
+        return sweep_between(model, solid, *source, *target);
+    }
+    if (!with_source && !with_target) {
+        return best_sweep(model, solid);
+    }
+    const FaceId wanted = with_source ? *source : *target;
+    for (const SweepTopology& sweep : recognise_sweeps(model, solid).candidates) {
+        if (sweep.source == wanted || sweep.target == wanted) {
+            return (sweep.source == wanted) == with_source ? sweep : reversed(sweep);
+        }
+    }
+    const int tag = model.tag(2, wanted.index());
+    throw UnmeshableError(ErrorCode::not_sweepable,
+                          "solid " + std::to_string(model.tag(3, solid.index())) + " has no sweep with face " +
+                              std::to_string(tag) + " as a cap",
+                          {tag});
+}
+
+std::vector<SweepTopology> recognise(const GmshBrep& model, const SweepCommand& command) {
+    std::optional<FaceId> source;
+    std::optional<FaceId> target;
+    if (command.source) {
+        source = face_with_tag(model, *command.source, "--source");
+    }
+    if (command.target) {
+        target = face_with_tag(model, *command.target, "--target");
+    }
+    std::vector<SweepTopology> sweeps;
+    for (std::size_t s = 0; s < model.solid_count(); ++s) {
+        sweeps.push_back(choose(model, SolidId{static_cast<std::int32_t>(s)}, source, target));
+    }
+    return sweeps;
+}
+
+IntervalOptions interval_options(const GmshBrep& model, const SweepCommand& command) {
+    IntervalOptions options;
+    options.size = command.size > 0 ? command.size : model.diagonal() / 12;
+    options.edge_size = command.edge_size;
+    options.face_size = command.face_size;
+    options.solid_size = command.solid_size;
+    options.layers = command.layers;
+    return options;
+}
+
+/// Hexahedra in groups by solid, quads in groups by face; numbers are the tags of the CAD file.
+HexMeshData grouped(const GmshBrep& model, ModelMesh& result) {
+    HexMeshData data;
+    data.mesh = std::move(result.mesh);
+    data.quads = std::move(result.quads);
+    for (const SolidId solid : result.hex_solid) {
+        data.hex_groups.push_back(model.tag(3, solid.index()));
+    }
+    for (const FaceId face : result.quad_face) {
+        data.quad_groups.push_back(model.tag(2, face.index()));
+    }
+    const auto name = [](const std::string& label, const char* kind, int tag) {
+        return label.empty() ? kind + std::to_string(tag) : label;
+    };
+    for (std::size_t s = 0; s < model.solid_count(); ++s) {
+        const int tag = model.tag(3, s);
+        data.groups.push_back({3, tag, name(model.solid_name(SolidId{static_cast<std::int32_t>(s)}), "solid_", tag)});
+    }
+    for (std::size_t f = 0; f < model.face_count(); ++f) {
+        const int tag = model.tag(2, f);
+        data.groups.push_back({2, tag, name(model.face_name(FaceId{static_cast<std::int32_t>(f)}), "face_", tag)});
+    }
+    return data;
+}
+
+Json to_json(const GmshBrep& model, const ModelMesh& result, const IntervalAssignment& intervals) {
+    Json json;
+    json["intervals"] = {{"mean_ratio", intervals.mean_ratio},
+                         {"worst_ratio", intervals.worst_ratio},
+                         {"optimal", intervals.optimal},
+                         {"angles_kept", intervals.angles_kept}};
+    json["solids"] = Json::array();
+    for (const SolidReport& solid : result.solids) {
+        Json entry{{"solid", model.tag(3, solid.solid.index())},
+                   {"name", model.solid_name(solid.solid)},
+                   {"source", model.tag(2, solid.source.index())},
+                   {"target", model.tag(2, solid.target.index())},
+                   {"layers", solid.layers},
+                   {"first_hex", solid.first_hex},
+                   {"hexahedra", solid.hex_count},
+                   {"cad_volume", model.solid_volume(solid.solid)},
+                   {"sweep", cli::to_json(solid.sweep)},
+                   {"smooth", cli::to_json(solid.smooth)}};
+        if (solid.target_projection) {
+            const TargetReport& target = *solid.target_projection;
+            entry["target_projection"] = {{"residual", target.residual},
+                                          {"folded_by_map", target.folded_by_map},
+                                          {"folded", target.folded},
+                                          {"smooth", cli::to_json(target.smooth)}};
+        }
+        json["solids"].push_back(std::move(entry));
+    }
+    json["linking_sides"] = Json::array();
+    for (const LinkingFaceReport& side : result.sides) {
+        json["linking_sides"].push_back({{"face", model.tag(2, side.face.index())},
+                                         {"way", to_string(side.way)},
+                                         {"folded_by_interpolation", side.folded_parameter},
+                                         {"folded", side.folded}});
+    }
+    return json;
+}
+
+void warn(const GmshBrep& model, const ModelMesh& result, const IntervalAssignment& intervals,
+          std::vector<std::string>& warnings) {
+    if (!intervals.angles_kept) {
+        warnings.emplace_back("the numbers prescribed leave curved edges coarser than 45 degrees an interval");
+    }
+    for (const LinkingFaceReport& side : result.sides) {
+        if (!side.folded.empty()) {
+            warnings.push_back("face " + std::to_string(model.tag(2, side.face.index())) + ": " +
+                               std::to_string(side.folded.size()) + " folded quads");
+        }
+    }
+    for (const SolidReport& solid : result.solids) {
+        if (solid.target_projection && !solid.target_projection->folded.empty()) {
+            warnings.push_back("face " + std::to_string(model.tag(2, solid.target.index())) + ": " +
+                               std::to_string(solid.target_projection->folded.size()) + " folded quads on the target");
+        }
+    }
+}
+
+}  // namespace
+
+Swept sweep_cad_file(const SweepCommand& command, const Progress& progress) {
+    report(progress, "reading", 0);
+    const GmshBrep model = GmshBrep::load(command.input);
+    report(progress, "recognition", 0);
+    const std::vector<SweepTopology> sweeps = recognise(model, command);
+    report(progress, "intervals", 0);
+    const IntervalAssignment intervals = assign_intervals(model, sweeps, interval_options(model, command));
+    ModelSweepOptions options;
+    options.solid.sweep = sweep_options(command);
+    options.solid.smooth = command.smooth;
+    options.progress = progress;
+    ModelMesh result = sweep_model(model, sweeps, intervals.intervals, GmshCapMesher{&model}, options);
+    Swept swept;
+    swept.report = to_json(model, result, intervals);
+    warn(model, result, intervals, swept.warnings);
+    swept.data = grouped(model, result);
+    return swept;
+}
+
+}  // namespace pavior::cli

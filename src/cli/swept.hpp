@@ -1,0 +1,42 @@
+#pragma once
+
+#include "commands.hpp"
+
+#include <pavior/core/progress.hpp>
+#include <pavior/io/mesh_file.hpp>
+#include <pavior/model/sweep_solid.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace pavior::cli {
+
+/// A mesh as made, before it is checked.
+struct Swept {
+    HexMeshData data;
+    nlohmann::json report = nlohmann::json::object();
+    std::vector<std::string> warnings;
+};
+
+/// Sweeps a problem given as JSON.
+[[nodiscard]] Swept sweep_problem_file(const SweepCommand& command, const Progress& progress);
+
+/// Sweeps the solids of a CAD file.
+[[nodiscard]] Swept sweep_cad_file(const SweepCommand& command, const Progress& progress);
+
+/// The options of a sweep that both have.
+[[nodiscard]] inline SweepOptions sweep_options(const SweepCommand& command) {
+    SweepOptions options;
+    options.method = command.method;
+    options.strategy = command.strategy;
+    options.correction = command.correction;
+    options.execution = Execution{command.threads};
+    return options;
+}
+
+[[nodiscard]] nlohmann::json to_json(const SweepReport& report);
+[[nodiscard]] nlohmann::json to_json(const SmoothReport& report);
+
+}  // namespace pavior::cli
