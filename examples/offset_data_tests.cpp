@@ -51,8 +51,7 @@ pavior::SweepProblem make_problem(const Test& test) {
     };
     const auto node = [&](double x, double y, double t, double height) {
         if (test.circular) {
-            // x points away from the axis of the path; seen against the sweep it must run to the other side.
-            return turn(Vec3(-x, y, height * bump(x, y)), t);
+            return turn(Vec3(x, y, height * bump(x, y)), t);
         }
         return Vec3(place(x, y, t) + Vec3(0, 0, height * bump(x, y)));
     };
@@ -91,9 +90,9 @@ double middle_angle(const pavior::SweepMesh& mesh, std::size_t k, Index n) {
     const std::size_t middle = (n / 2) * (n + 1) + n / 2;
     const Vec3 a = level[middle - 1] - level[middle];
     const Vec3 b = level[middle + 1] - level[middle];
-    const double below = (a.normalized() + b.normalized())[2] > 0 ? 360 : 0;
     const double angle = std::acos(a.dot(b) / (a.norm() * b.norm())) * 180 / pi;
-    return below > 0 ? below - angle : angle;
+    const bool dented = (a.normalized() + b.normalized())[2] > 0;  // curved towards the bottom
+    return dented ? 360 - angle : angle;
 }
 
 double middle_distance(const pavior::SweepMesh& mesh, std::size_t k, Index n) {

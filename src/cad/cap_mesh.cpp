@@ -123,11 +123,12 @@ public:
     CapMesh make() {
         if (options_.structured) {
             consider(detail::grid_quads(loops_));
+            failures_ = 0;
         }
         using Recipe = detail::QuadRecipe;
-        for (const Recipe& recipe : {Recipe{6, 5, 1, 10}, Recipe{6, 0, 1, 10}, Recipe{5, 5, 1, 10},
-                                     Recipe{6, 5, 0.85, 10}, Recipe{6, 5, 1.2, 10}, Recipe{5, 5, 0.8, 10},
-                                     Recipe{1, 5, 1, 10}, Recipe{6, 5, 0.7, 10}}) {
+        for (const Recipe& recipe :
+             {Recipe{6, 5, 1, 10}, Recipe{6, 0, 1, 10}, Recipe{5, 5, 1, 10}, Recipe{6, 5, 0.85, 10},
+              Recipe{6, 5, 1.2, 10}, Recipe{5, 5, 0.8, 10}, Recipe{1, 5, 1, 10}, Recipe{6, 5, 0.7, 10}}) {
             if (best_quality_ < good && failures_ < allowed_failures) {
                 consider(detail::recombined_quads(loops_, size_, recipe));
             }
@@ -136,10 +137,10 @@ public:
             consider(detail::subdivided_triangles(loops_, size_));
         }
         if (best_.quads.empty() || best_quality_ <= 0) {
-            throw Error(ErrorCode::cad_failure,
-                        face_label(model_, face_) + (best_.quads.empty() ? ": no way to quads alone"
-                                                                         : ": folded quads remain"),
-                        {model_.tag(2, face_.index())});
+            throw Error(
+                ErrorCode::cad_failure,
+                face_label(model_, face_) + (best_.quads.empty() ? ": no way to quads alone" : ": folded quads remain"),
+                {model_.tag(2, face_.index())});
         }
         return std::move(best_);
     }

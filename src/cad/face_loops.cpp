@@ -68,8 +68,8 @@ void orient(const std::vector<BoundaryCurve>& curves, std::vector<CurveLoop>& lo
     std::vector<double> areas(loops.size());
     std::transform(loops.begin(), loops.end(), areas.begin(),
                    [&](const CurveLoop& loop) { return enclosed_area(curves, loop); });
-    const auto largest = std::max_element(areas.begin(), areas.end(),
-                                          [](double a, double b) { return std::abs(a) < std::abs(b); });
+    const auto largest =
+        std::max_element(areas.begin(), areas.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
     const auto outer = largest - areas.begin();
     for (std::size_t i = 0; i < loops.size(); ++i) {
         const bool wants_positive = static_cast<std::ptrdiff_t>(i) == outer;

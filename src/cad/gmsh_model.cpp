@@ -121,8 +121,7 @@ void GmshModel::face_points(int tag, std::span<const Vec2> uv, std::span<Vec3> p
     });
 }
 
-void GmshModel::face_derivatives(int tag, std::span<const Vec2> uv,
-                                 std::span<std::array<Vec3, 2>> derivatives) const {
+void GmshModel::face_derivatives(int tag, std::span<const Vec2> uv, std::span<std::array<Vec3, 2>> derivatives) const {
     const Current current(*this);
     on_entity(2, tag, [&] {
         flatten(uv, in_);

@@ -96,8 +96,8 @@ private:
             throw Error(ErrorCode::cad_failure, entity_label(1, edge) + " has no vertex", {edge});
         }
         const auto distance = [&](int tag) { return (result_.vertices[vertex_index_.at(tag)] - point).norm(); };
-        return vertex_index_.at(*std::min_element(ends.begin(), ends.end(),
-                                                  [&](int a, int b) { return distance(a) < distance(b); }));
+        return vertex_index_.at(
+            *std::min_element(ends.begin(), ends.end(), [&](int a, int b) { return distance(a) < distance(b); }));
     }
 
     void read_edges() {
@@ -172,7 +172,7 @@ private:
             FaceData face;
             face.tag = tag;
             face.bounds = model_.face_bounds(tag);
-            on_entity(2, tag, [&] { gmsh::model::getType(2, tag, face.kind); });
+            on_entity(2, face.tag, [&] { gmsh::model::getType(2, face.tag, face.kind); });
             find_periods(face);
             face.area = model_.mass(2, tag);
             read_loops(face, edges);
@@ -274,8 +274,6 @@ private:
 
 }  // namespace
 
-Topology read_topology(const GmshModel& model) {
-    return Reader(model).read();
-}
+Topology read_topology(const GmshModel& model) { return Reader(model).read(); }
 
 }  // namespace pavior::detail

@@ -16,10 +16,10 @@ namespace pavior::detail {
 /// One use of an edge by a face.
 struct EdgeUse {
     EdgeId edge;
-    bool forward = true;      ///< the loop runs along the edge
-    int side = 0;             ///< which of the two curves of a seam, as Gmsh counts
-    bool seam = false;        ///< the face uses the edge twice
-    std::vector<Vec2> uv;     ///< samples at equal steps of the edge's parameter, continuous
+    bool forward = true;   ///< the loop runs along the edge
+    int side = 0;          ///< which of the two curves of a seam, as Gmsh counts
+    bool seam = false;     ///< the face uses the edge twice
+    std::vector<Vec2> uv;  ///< samples at equal steps of the edge's parameter, continuous
 };
 
 struct EdgeData {
@@ -33,7 +33,7 @@ struct FaceData {
     int tag = 0;
     std::array<Vec2, 2> bounds;
     std::array<double, 2> period{};
-    std::array<bool, 2> closed{};      ///< the box spans exactly one period
+    std::array<bool, 2> closed{};  ///< the box spans exactly one period
     std::string kind;
     std::string name;
     double area = 0;

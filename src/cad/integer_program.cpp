@@ -151,9 +151,7 @@ struct Rescue {
 };
 
 /// Comes back to guarded_run instead of ending the process.
-void leave(void* info) {
-    std::longjmp(static_cast<Rescue*>(info)->point, 1);
-}
+void leave(void* info) { std::longjmp(static_cast<Rescue*>(info)->point, 1); }
 
 /// `run`, or -1 after an internal error of GLPK (then its environment and all its problems are gone).
 int guarded_run(glp_prob* problem, const IntegerProgramOptions& options, bool& unbounded_relaxation) {
@@ -175,9 +173,7 @@ IntegerSolution read(glp_prob* problem, const IntegerProgram& program, int statu
         case GLP_OPT: solution.status = ProgramStatus::optimal; break;
         case GLP_FEAS: solution.status = ProgramStatus::feasible; break;
         case GLP_NOFEAS: solution.status = ProgramStatus::infeasible; break;
-        default:
-            solution.status = unbounded_relaxation ? ProgramStatus::unbounded : ProgramStatus::unsolved;
-            break;
+        default: solution.status = unbounded_relaxation ? ProgramStatus::unbounded : ProgramStatus::unsolved; break;
     }
     if (solution.found()) {
         for (std::size_t j = 0; j < program.variables.size(); ++j) {

@@ -264,8 +264,8 @@ std::optional<PlaneQuads> grid_quads(const PlaneLoops& loops) {
         std::transform(ids[k].begin(), ids[k].end(), std::back_inserter(sides[k]),
                        [&](std::size_t i) { return loops.points[i]; });
     }
-    const StructuredGrid<Vec2> grid = transfinite<Vec2>({sides[0], sides[2], sides[3], sides[1]},
-                                                        {Blending::arc_length, 1e-8});
+    const StructuredGrid<Vec2> grid =
+        transfinite<Vec2>({sides[0], sides[2], sides[3], sides[1]}, {Blending::arc_length, 1e-8});
     PlaneQuads mesh{loops.points, {}};
     std::vector<Index> number(grid.nodes.size());
     for (std::size_t k = 0; k <= grid.rows; ++k) {
@@ -273,10 +273,10 @@ std::optional<PlaneQuads> grid_quads(const PlaneLoops& loops) {
             const bool at_side = i == 0 || k == 0 || i == grid.columns || k == grid.rows;
             Index& id = number[grid.index(i, k)];
             if (at_side) {
-                id = static_cast<Index>(k == 0               ? ids[0][i]
-                                        : k == grid.rows     ? ids[2][i]
-                                        : i == 0             ? ids[3][k]
-                                                             : ids[1][k]);
+                id = static_cast<Index>(k == 0           ? ids[0][i]
+                                        : k == grid.rows ? ids[2][i]
+                                        : i == 0         ? ids[3][k]
+                                                         : ids[1][k]);
             } else {
                 id = static_cast<Index>(mesh.nodes.size());
                 mesh.nodes.push_back(grid(i, k));
@@ -389,8 +389,8 @@ std::optional<PlaneQuads> subdivided_triangles(const PlaneLoops& loops, double s
         const auto centre = static_cast<Index>(mesh.nodes.size());
         mesh.nodes.emplace_back((coarse->nodes[t[0]] + coarse->nodes[t[1]] + coarse->nodes[t[2]]) / 3);
         for (std::size_t k = 0; k < 3; ++k) {
-            mesh.quads.push_back({number[t[k]], *middles.find(t[k], t[(k + 1) % 3]), centre,
-                                  *middles.find(t[(k + 2) % 3], t[k])});
+            mesh.quads.push_back(
+                {number[t[k]], *middles.find(t[k], t[(k + 1) % 3]), centre, *middles.find(t[(k + 2) % 3], t[k])});
         }
     }
     return fits(loops, mesh) ? std::optional(mesh) : std::nullopt;

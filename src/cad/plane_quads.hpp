@@ -31,10 +31,10 @@ struct PlaneQuads {
 
 /// One way to let Gmsh make quads.
 struct QuadRecipe {
-    int algorithm = 6;       ///< Mesh.Algorithm
-    int topology = 5;        ///< Mesh.RecombineOptimizeTopology
-    double scale = 1;        ///< factor on the sizes inside
-    int smoothing = 10;      ///< Mesh.Smoothing
+    int algorithm = 6;   ///< Mesh.Algorithm
+    int topology = 5;    ///< Mesh.RecombineOptimizeTopology
+    double scale = 1;    ///< factor on the sizes inside
+    int smoothing = 10;  ///< Mesh.Smoothing
 };
 
 /// The grid of a region with four corners whose opposite sides have equally many nodes; nothing for other regions.

@@ -70,8 +70,9 @@ void check_edges(const B& b, double size) {
         }
         double length = 0;
         for (int k = 0; k < 500; ++k) {
-            length += (b.edge_point(e, at_fraction(range, (k + 1) / 500.0)) - b.edge_point(e, at_fraction(range, k / 500.0)))
-                          .norm();
+            length +=
+                (b.edge_point(e, at_fraction(range, (k + 1) / 500.0)) - b.edge_point(e, at_fraction(range, k / 500.0)))
+                    .norm();
         }
         CHECK(length == Approx(b.edge_length(e)).epsilon(1e-4));
     }

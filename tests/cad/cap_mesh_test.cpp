@@ -124,11 +124,11 @@ bool straight(const GmshBrep& b, FaceId face) {
 }  // namespace
 
 TEST_CASE("caps of real parts: all quads, conforming, exact boundary") {
-    const std::string file = GENERATE(as<std::string>(), "mfcad/0-0-6-8-19.step", "mfcad/0-1-19.step",
-                                      "mfcad/0-1-3-4-6-23.step", "mfcad/0-8-8-13-14-23.step", "mfcad/1-3-5-19.step",
-                                      "mfcad/2-6-19.step", "mfcad/4-4-19.step", "mfcad/6-6-8-8-12-23.step",
-                                      "mfcad/6-8-8-8-19.step", "mfcad/4-8-8-8-13-23.step", "hexme/s09o_bridge.step",
-                                      "hexme/n11o_limit_cycle.stp", "hexme/s15o_cylinder.stp");
+    const std::string file =
+        GENERATE(as<std::string>(), "mfcad/0-0-6-8-19.step", "mfcad/0-1-19.step", "mfcad/0-1-3-4-6-23.step",
+                 "mfcad/0-8-8-13-14-23.step", "mfcad/1-3-5-19.step", "mfcad/2-6-19.step", "mfcad/4-4-19.step",
+                 "mfcad/6-6-8-8-12-23.step", "mfcad/6-8-8-8-19.step", "mfcad/4-8-8-8-13-23.step",
+                 "hexme/s09o_bridge.step", "hexme/n11o_limit_cycle.stp", "hexme/s15o_cylinder.stp");
     CAPTURE(file);
     const GmshBrep b = GmshBrep::load(data + "/" + file, {true, 0});
     const FaceId face = richest_face(b);

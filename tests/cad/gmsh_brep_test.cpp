@@ -321,8 +321,8 @@ TEST_CASE("damaged files are refused") {
     const std::string text = slurp(data + "/mfcad/4-4-19.step");
     for (const double fraction : {0.02, 0.3, 0.6, 0.95}) {
         CAPTURE(fraction);
-        const TemporaryFile cut("cut.step", text.substr(0, static_cast<std::size_t>(
-                                                               fraction * static_cast<double>(text.size()))));
+        const TemporaryFile cut("cut.step",
+                                text.substr(0, static_cast<std::size_t>(fraction * static_cast<double>(text.size()))));
         CHECK(failure_of(cut.path()).find("syntax") != std::string::npos);
     }
     const auto replaced = [&](const std::string& from, const std::string& to) {

@@ -46,7 +46,9 @@ TEST_CASE("The cost of a class is exact at the breakpoints and convex") {
         for (std::size_t j = 2; j < variables.size(); ++j) {
             CHECK(variables[j].cost >= variables[j - 1].cost - 1e-12);
         }
-        const auto cost = [](int at) { return interval_cost(at, 2.3) + interval_cost(at, 5.0) + interval_cost(at, 40.7); };
+        const auto cost = [](int at) {
+            return interval_cost(at, 2.3) + interval_cost(at, 5.0) + interval_cost(at, 40.7);
+        };
         const IntegerSolution solution = solve(program.program());
         REQUIRE(solution.status == ProgramStatus::optimal);
         CHECK(solution.objective == Approx(cost(n) - cost(1)).margin(1e-9));

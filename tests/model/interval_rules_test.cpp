@@ -18,8 +18,7 @@ std::size_t count(const IntervalSystem& system, IntervalRule::Kind kind) {
 
 TEST_CASE("A prism with a hole: rules by kind, wishes by length") {
     TestBrep b;
-    const SolidId solid =
-        add_prism(b, rectangle(3, 3), 0, 2, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}});
+    const SolidId solid = add_prism(b, rectangle(3, 3), 0, 2, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}});
     const std::vector sweeps{best_sweep(b, solid)};
     IntervalOptions options;
     options.size = 0.5;

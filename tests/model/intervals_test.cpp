@@ -25,7 +25,8 @@ IntervalAssignment assign(const TestBrep& b, const std::vector<SweepTopology>& s
 }
 
 /// All that an assignment promises.
-void verify(const TestBrep& b, const std::vector<SweepTopology>& sweeps, const IntervalAssignment& a, int min_loop = 4) {
+void verify(const TestBrep& b, const std::vector<SweepTopology>& sweeps, const IntervalAssignment& a,
+            int min_loop = 4) {
     REQUIRE(a.intervals.size() == b.edge_count());
     REQUIRE(a.layers.size() == sweeps.size());
     for (std::size_t s = 0; s < sweeps.size(); ++s) {

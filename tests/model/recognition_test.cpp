@@ -135,8 +135,8 @@ TEST_CASE("A prism with holes is swept between its caps only, loops as seen from
         CHECK(signed_area(b, sweep.source_loops[i]) == Approx(areas[i]));
         CHECK(signed_area(b, sweep.target_loops[i]) == Approx(areas[i]));
         for (const LinkingSide& side : sweep.loops[i]) {
-            const Vec3 rib = b.vertex_point(last_vertex(b, side.left.back())) -
-                             b.vertex_point(first_vertex(b, side.left.front()));
+            const Vec3 rib =
+                b.vertex_point(last_vertex(b, side.left.back())) - b.vertex_point(first_vertex(b, side.left.front()));
             CHECK((rib - Vec3(0, 0, 1)).norm() < 1e-12);
         }
     }
@@ -353,8 +353,12 @@ TEST_CASE("A sweep whose sides meet a cap tangentially or leave it at a reflex a
     CHECK(recognise_sweeps(b, tray).candidates.size() == 3);
     for (const double spread : {0.0, 8.0, 30.0}) {  // a frustum, flatter and flatter
         TestBrep f;
-        const auto low = lift(f, {{-1 - spread, -1 - spread}, {1 + spread, -1 - spread}, {1 + spread, 1 + spread},
-                                  {-1 - spread, 1 + spread}}, 0);
+        const auto low = lift(f,
+                              {{-1 - spread, -1 - spread},
+                               {1 + spread, -1 - spread},
+                               {1 + spread, 1 + spread},
+                               {-1 - spread, 1 + spread}},
+                              0);
         const auto high = lift(f, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, 1);
         std::vector<OrientedFace> faces{{f.flat_polygon(low), false}, {f.flat_polygon(high), true}};
         add_sides(f, low, high, faces);

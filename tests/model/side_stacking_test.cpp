@@ -10,7 +10,8 @@ namespace {
 
 std::optional<SweepTopology> stacked(const SolidBoundary& solid, std::size_t source, std::size_t target,
                                      const StackingOptions& options) {
-    return detail::find_stacked_sweep(solid, detail::RolePatterns(solid, options), source, target, options);
+    std::size_t tests_left = options.max_tests;
+    return detail::find_stacked_sweep(solid, detail::RolePatterns(solid, options), source, target, tests_left);
 }
 
 /// A bar of square section along the x axis, bent upwards by an angle (degrees) in the middle: six faces but that the
@@ -77,10 +78,10 @@ TEST_CASE("A bend is followed up to the tolerated kink") {
     }
 }
 
-TEST_CASE("A search without steps finds nothing") {
+TEST_CASE("A search without tests finds nothing") {
     TestBrep b;
     const SolidBoundary solid = solid_boundary(b, add_prism(b, rectangle(1, 1), 0, 2, {}, 2));
     StackingOptions none;
-    none.max_steps = 0;
+    none.max_tests = 0;
     CHECK_FALSE(stacked(solid, 0, 1, none));
 }

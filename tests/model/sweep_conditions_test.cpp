@@ -53,7 +53,8 @@ TEST_CASE("Each kind of obstacle is named") {
                                Catch::Contains("2 boundary loops where a linking side has one (condition (ii))"));
 
     const SolidBoundary triangle = solid_boundary(b, add_square_to_triangle(b));
-    CHECK_THAT(explain_refusal(triangle, 0, 1).text, Catch::Contains("three logical sides, only a vertex on the target"));
+    CHECK_THAT(explain_refusal(triangle, 0, 1).text,
+               Catch::Contains("three logical sides, only a vertex on the target"));
 
     const SolidBoundary boss = solid_boundary(b, add_boss(b));
     const SweepRefusal up = explain_refusal(boss, 0, 2);

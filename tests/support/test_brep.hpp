@@ -321,7 +321,8 @@ inline SolidId add_square_to_triangle(TestBrep& b) {
 
 /// A unit box whose walls y = 0 and x = 1 have two storeys; the walls x = 0 and y = 1 are in one piece.
 inline SolidId add_half_stacked_box(TestBrep& b) {
-    const auto low = lift(b, rectangle(1, 1), 0), mid = lift(b, rectangle(1, 1), 0.4), high = lift(b, rectangle(1, 1), 1);
+    const auto low = lift(b, rectangle(1, 1), 0), mid = lift(b, rectangle(1, 1), 0.4),
+               high = lift(b, rectangle(1, 1), 1);
     std::vector<OrientedFace> faces{{b.flat_polygon(low), false}, {b.flat_polygon(high), true}};
     faces.push_back({b.flat_polygon({low[0], low[1], mid[1], mid[0]}), true});
     faces.push_back({b.flat_polygon({mid[0], mid[1], high[1], high[0]}), true});

@@ -15,7 +15,8 @@ std::vector<Vec2> plane_grid(std::size_t m, std::size_t r, const Vec2& low, cons
     std::vector<Vec2> uv;
     for (std::size_t k = 0; k <= r; ++k) {
         for (std::size_t i = 0; i <= m; ++i) {
-            const Vec2 t(static_cast<double>(i) / static_cast<double>(m), static_cast<double>(k) / static_cast<double>(r));
+            const Vec2 t(static_cast<double>(i) / static_cast<double>(m),
+                         static_cast<double>(k) / static_cast<double>(r));
             uv.emplace_back(low + (high - low).cwiseProduct(t));
         }
     }

@@ -95,7 +95,8 @@ TEST_CASE("sides on curved surfaces: nodes on the surface, the border untouched,
 TEST_CASE("a full turn of a cylinder, unwrapped from parameters in one period") {
     const surfaces::Cylinder surface;
     const double turn = 2.0 * std::numbers::pi;
-    Sides sides = patch(surface, [turn](double s, double t) { return Vec2(turn * s + 1.0, t); }, 8, 3);
+    Sides sides = patch(
+        surface, [turn](double s, double t) { return Vec2(turn * s + 1.0, t); }, 8, 3);
     for (auto* chain : {&sides.bottom_uv, &sides.top_uv, &sides.left_uv, &sides.right_uv}) {
         for (Vec2& p : *chain) {
             p.x() = std::fmod(p.x(), turn);
@@ -166,9 +167,7 @@ TEST_CASE("an arch whose opposite sides run at different speeds is untangled on 
             const double x = 2.0 * s - 1.0;
             return Vec2(scale * x, scale * (t * 0.6 + (1.0 - x * x) * (1.2 - 0.2 * t)));
         };
-        const auto sheared = [&](double s, double t) {
-            return uv(t < 0.5 ? s * s : 1.0 - (1.0 - s) * (1.0 - s), t);
-        };
+        const auto sheared = [&](double s, double t) { return uv(t < 0.5 ? s * s : 1.0 - (1.0 - s) * (1.0 - s), t); };
         const Sides sides = patch(surface, sheared, 12, 5);
         LinkingSideOptions off;
         off.repair = false;

@@ -107,11 +107,11 @@ std::size_t inverted_hexes(const std::vector<C>& ribs, const std::vector<std::ve
     for (std::size_t k = 0; k + 1 < t[0].size(); ++k) {
         for (std::size_t j = 0; j < m; ++j) {
             for (std::size_t i = 0; i < m; ++i) {
-                inverted += corner_det({at(i, j, k), at(i + 1, j, k), at(i + 1, j + 1, k), at(i, j + 1, k),
-                                        at(i, j, k + 1), at(i + 1, j, k + 1), at(i + 1, j + 1, k + 1),
-                                        at(i, j + 1, k + 1)}) > 0.0
-                                ? 0
-                                : 1;
+                inverted +=
+                    corner_det({at(i, j, k), at(i + 1, j, k), at(i + 1, j + 1, k), at(i, j + 1, k), at(i, j, k + 1),
+                                at(i + 1, j, k + 1), at(i + 1, j + 1, k + 1), at(i, j + 1, k + 1)}) > 0.0
+                        ? 0
+                        : 1;
             }
         }
     }

@@ -27,9 +27,7 @@ struct Source {
     Loops loops;
 };
 
-Vec3 dented(const Vec3& x) {
-    return {x.x(), x.y() * (1.0 - 0.75 * std::exp(-4.0 * x.x() * x.x())), x.z()};
-}
+Vec3 dented(const Vec3& x) { return {x.x(), x.y() * (1.0 - 0.75 * std::exp(-4.0 * x.x() * x.x())), x.z()}; }
 
 }  // namespace
 
@@ -115,6 +113,6 @@ TEST_CASE("loops without a map are refused") {
     auto loop = source.loop_image([](const Vec3& x) { return x; });
     loop.pop_back();
     CHECK(code(loop) == ErrorCode::size_mismatch);
-    CHECK(code(source.loop_image([](const Vec3& x) { return Vec3(x.x(), 0.0, 0.0); })) == ErrorCode::null_pseudo_area);
+    CHECK(code(source.loop_image([](const Vec3& x) { return Vec3(x.x(), 0.0, 0.0); })) == ErrorCode::target_degenerate);
     CHECK(code(source.loop_image([](const Vec3&) { return Vec3(1.0, std::nan(""), 0.0); })) == ErrorCode::not_finite);
 }

@@ -97,8 +97,8 @@ TEST_CASE("the case file comes out to its tolerance, affine and non affine") {
                                            evaluate(surfaces::Sphere{}, loop_uv), plain());
         for (std::size_t j = 0; j < inner.size(); ++j) {
             for (int axis = 0; axis < 2; ++axis) {
-                CHECK(std::abs(target.uv[m + j][axis] - run["expected_u"][j][static_cast<std::size_t>(axis)].get<double>()) <=
-                      tolerance);
+                CHECK(std::abs(target.uv[m + j][axis] -
+                               run["expected_u"][j][static_cast<std::size_t>(axis)].get<double>()) <= tolerance);
             }
             for (int axis = 0; axis < 3; ++axis) {
                 CHECK(std::abs(target.nodes[m + j][axis] -
@@ -108,8 +108,8 @@ TEST_CASE("the case file comes out to its tolerance, affine and non affine") {
         for (int row = 0; row < 2; ++row) {
             for (int column = 0; column < 2; ++column) {
                 CHECK(std::abs(target.map.A(row, column) -
-                               run["expected_A"][static_cast<std::size_t>(row)][static_cast<std::size_t>(column)].get<double>()) <=
-                      tolerance);
+                               run["expected_A"][static_cast<std::size_t>(row)][static_cast<std::size_t>(column)]
+                                   .get<double>()) <= tolerance);
             }
         }
     }
@@ -117,7 +117,9 @@ TEST_CASE("the case file comes out to its tolerance, affine and non affine") {
 
 TEST_CASE("affine loops: exact on any surface, either orientation of the parameters") {
     const FlatSource source(shapes::square_ring(2));
-    const auto affine = [](const Vec2& p) { return Vec2(0.4 * p.x() + 0.1 * p.y() + 0.2, -0.05 * p.x() + 0.3 * p.y()); };
+    const auto affine = [](const Vec2& p) {
+        return Vec2(0.4 * p.x() + 0.1 * p.y() + 0.2, -0.05 * p.x() + 0.3 * p.y());
+    };
     const auto mirrored = [&](const Vec2& p) { return Vec2(affine(p).y(), affine(p).x()); };
     const auto check = [&](const auto& surface, const auto& image, bool reversed) {
         const TargetMesh target = project(surface, source, image);

@@ -74,7 +74,8 @@ TEST_CASE("the linking side of the case file comes out to its tolerance") {
     std::ifstream file(PAVIOR_TEST_DATA "/sweep/h26_tfi.json");
     REQUIRE(file);
     const auto data = nlohmann::json::parse(file);
-    const OwnedSides<Vec3> sides{points(data["bottom"]), points(data["top"]), points(data["left"]), points(data["right"])};
+    const OwnedSides<Vec3> sides{points(data["bottom"]), points(data["top"]), points(data["left"]),
+                                 points(data["right"])};
     const StructuredGrid<Vec3> grid = transfinite(sides.view());
     REQUIRE(grid.rows + 1 == data["expected"].size());
     double error = 0.0;

@@ -133,8 +133,11 @@ template <class Derived, class Scalar = typename Derived::Scalar, int N = Derive
         throw InputError(ErrorCode::bad_option, "pseudo-areas exist in two and three dimensions");
     }
     const Centring<Scalar, N> local = centring(X);
-    const Enclosure<Scalar, N> sum = enclosure(X, offsets, local);
-    return X.rows() == 3 ? (sum.area * local.scale) * local.scale : sum.area * local.scale;
+    Enclosure<Scalar, N> sum = enclosure(X, offsets, local);
+    for (Eigen::Index power = 1; power < X.rows(); ++power) {
+        sum.area *= local.scale;
+    }
+    return sum.area;
 }
 
 /// Pseudo-normal of the multi-loop, Definition 3.6; n >= 4: hyperplane_normal. Null for figure eights, collinear

@@ -72,8 +72,8 @@ template <brep B>
     const Vec3 normal = outside_normal(b, f, out, 0.0);
     double turn = detail::signed_angle(detail::use_direction(b, in, 1), detail::use_direction(b, out, 0), normal);
     if (std::abs(turn) > 175.0) {  // a cusp: which side it lies on is told by the chords
-        turn = detail::signed_angle(detail::use_direction(b, in, 1, 0.05), detail::use_direction(b, out, 0, 0.05),
-                                    normal);
+        turn =
+            detail::signed_angle(detail::use_direction(b, in, 1, 0.05), detail::use_direction(b, out, 0, 0.05), normal);
     }
     return 180.0 - turn;
 }

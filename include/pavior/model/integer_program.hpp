@@ -58,8 +58,8 @@ struct IntegerSolution {
 };
 
 struct IntegerProgramOptions {
-    double seconds = 60.0;        ///< limit of time; the result is deterministic as long as it is not reached
-    double relative_gap = 1e-9;   ///< accept a solution this close to the bound, relative to the objective
+    double seconds = 60.0;       ///< limit of time; the result is deterministic as long as it is not reached
+    double relative_gap = 1e-9;  ///< accept a solution this close to the bound, relative to the objective
 };
 
 /// Solves by branch and bound (GLPK). Silent; never ends the process. Deterministic unless the time limit strikes.

@@ -136,9 +136,10 @@ private:
             const double bends = edge_turning(b_, edges_[i]) / options_.max_angle;
             const double wish = std::max({1.0, b_.edge_length(edges_[i]) / size, bends});
             if (wish > 1e5) {
-                throw InputError(ErrorCode::bad_option,
-                                 "edge " + std::to_string(edge_tag(edges_[i])) + " would get more than 100000 intervals",
-                                 {edge_tag(edges_[i])});
+                throw InputError(
+                    ErrorCode::bad_option,
+                    "edge " + std::to_string(edge_tag(edges_[i])) + " would get more than 100000 intervals",
+                    {edge_tag(edges_[i])});
             }
             system_.edges.push_back({wish, std::max(1, static_cast<int>(std::ceil(bends - 1e-3)))});
         }

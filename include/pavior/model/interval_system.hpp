@@ -24,8 +24,8 @@ struct IntervalRule {
     Kind kind = Kind::equal;
     std::vector<std::pair<std::size_t, int>> terms;  ///< index in IntervalSystem::edges, each once, and coefficient
     int value = 0;
-    std::string text;         ///< says in the user's tags what the rule demands
-    std::vector<int> faces;   ///< tags of the faces concerned
+    std::string text;        ///< says in the user's tags what the rule demands
+    std::vector<int> faces;  ///< tags of the faces concerned
 };
 
 /// Edges with their wishes, and the rules that tie them together.
@@ -35,8 +35,6 @@ struct IntervalSystem {
 };
 
 /// What a number of intervals costs: max(n / wish, wish / n) - 1, the relative deviation, convex in n.
-[[nodiscard]] inline double interval_cost(int n, double wish) {
-    return std::max(n / wish, wish / n) - 1.0;
-}
+[[nodiscard]] inline double interval_cost(int n, double wish) { return std::max(n / wish, wish / n) - 1.0; }
 
 }  // namespace pavior

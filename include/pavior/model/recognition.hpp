@@ -16,10 +16,10 @@
 namespace pavior {
 
 struct RecognitionOptions {
-    bool stacked = true;            ///< also look for linking sides that lie above each other along the sweep
-    StackingOptions stacking;       ///< used if `stacked`
-    double max_deviation = 85.0;    ///< corners of linking sides, and their angles to the caps, are 90 +- this, degrees
-    std::size_t max_refusals = 3;   ///< how many pairs of an unsweepable solid are explained
+    bool stacked = true;           ///< also look for linking sides that lie above each other along the sweep
+    StackingOptions stacking;      ///< used if `stacked`
+    double max_deviation = 85.0;   ///< corners of linking sides, and their angles to the caps, are 90 +- this, degrees
+    std::size_t max_refusals = 3;  ///< how many pairs of an unsweepable solid are explained
 };
 
 /// All ways to sweep a solid, best first (`better_sweep`), or the reasons why there is none.
@@ -33,7 +33,8 @@ struct Recognition {
 
 namespace detail {
 
-/// A pair of caps: the sweep between them, or what is wrong with the shape of the sweep that topology allows, or neither.
+/// A pair of caps: the sweep between them, or what is wrong with the shape of the sweep that topology allows, or
+/// neither.
 struct PairOutcome {
     std::optional<SweepTopology> sweep;
     std::vector<SweepObstacle> obstacles;
@@ -42,12 +43,13 @@ struct PairOutcome {
 /// Judges two faces of a solid (positions).
 template <brep B>
 [[nodiscard]] PairOutcome judge_pair(const B& b, const SolidBoundary& solid, const RolePatterns& patterns,
-                                     std::size_t source, std::size_t target, const RecognitionOptions& options) {
+                                     std::size_t source, std::size_t target, const RecognitionOptions& options,
+                                     std::size_t& tests_left) {
     PairOutcome result;
     if (caps_fit(solid, source, target)) {
         result.sweep = find_direct_sweep(solid, source, target);
         if (!result.sweep && options.stacked) {
-            result.sweep = find_stacked_sweep(solid, patterns, source, target, options.stacking);
+            result.sweep = find_stacked_sweep(solid, patterns, source, target, tests_left);
         }
     }
     if (result.sweep) {
@@ -99,6 +101,8 @@ inline void add_closest_refusals(const SolidBoundary& solid, std::size_t count, 
 /// also by their corner angles (StackingOptions). Corners of linking sides and angles between them and the caps near 0,
 /// near 180 (a fillet at the rim of a cap) or beyond are refused, since the hexahedra there cannot be valid
 /// (max_deviation). Geometry is not checked further.
+/// Sides above each other are searched for within a bounded amount of work (StackingOptions::max_tests), so that a sweep
+/// may be missed on solids with hundreds of faces whose corners are ambiguous; direct sweeps are never missed.
 /// Deterministic. O(f^2) face pairs, each O(n) for n edges, most of them rejected early.
 /// \throws InputError non_manifold if the faces do not close the solid.
 template <brep B>
@@ -107,12 +111,14 @@ template <brep B>
     Recognition result;
     result.solid = solid;
     const detail::RolePatterns patterns(boundary, options.stacking);
+    std::size_t tests_left = options.stacking.max_tests;
     std::vector<SweepRefusal> misshapen;
     for (std::size_t i = 0; i < boundary.faces.size(); ++i) {
         for (std::size_t j = i + 1; j < boundary.faces.size(); ++j) {
             const bool ordered = boundary.faces[i].face.face < boundary.faces[j].face.face;
             const std::size_t source = ordered ? i : j, target = ordered ? j : i;
-            detail::PairOutcome outcome = detail::judge_pair(b, boundary, patterns, source, target, options);
+            detail::PairOutcome outcome =
+                detail::judge_pair(b, boundary, patterns, source, target, options, tests_left);
             if (outcome.sweep) {
                 result.candidates.push_back(std::move(*outcome.sweep));
             } else if (!outcome.obstacles.empty()) {
@@ -141,7 +147,8 @@ template <brep B>
         throw InputError(ErrorCode::bad_option, "source and target are the same face", {boundary.faces[s].tag});
     }
     const detail::RolePatterns patterns(boundary, options.stacking);
-    detail::PairOutcome outcome = detail::judge_pair(b, boundary, patterns, s, t, options);
+    std::size_t tests_left = options.stacking.max_tests;
+    detail::PairOutcome outcome = detail::judge_pair(b, boundary, patterns, s, t, options, tests_left);
     if (!outcome.sweep) {
         throw detail::not_sweepable_error(
             boundary, {outcome.obstacles.empty() ? explain_refusal(boundary, s, t)

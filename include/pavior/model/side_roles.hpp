@@ -81,8 +81,8 @@ namespace detail {
     LinkingSide side{f.face.face, f.face.outward, {}, {}, {}, {}};
     EdgeChain* const chains[] = {&side.bottom, &side.right, &side.top, &side.left};
     for (std::size_t i = start; i < start + n; ++i) {
-        if (role(i) == SideRole::none || (i > start && role(i) != role(i - 1) &&
-                                          static_cast<int>(role(i)) != static_cast<int>(role(i - 1)) + 1)) {
+        if (role(i) == SideRole::none ||
+            (i > start && role(i) != role(i - 1) && static_cast<int>(role(i)) != static_cast<int>(role(i - 1)) + 1)) {
             return std::nullopt;
         }
         chains[static_cast<int>(role(i))]->push_back(solid.half_edges[f.begin + i % n].use);
@@ -119,9 +119,8 @@ public:
             }
             sum += roles_[previous(h)] == roles_[h] ? 2 : 1;
         }
-        return std::all_of(quarters.begin(), quarters.end(), [](const auto& entry) {
-            return entry.second.first == (entry.second.second ? 2 : 4);
-        });
+        return std::all_of(quarters.begin(), quarters.end(),
+                           [](const auto& entry) { return entry.second.first == (entry.second.second ? 2 : 4); });
     }
 
     /// The faces round the source loop that starts at half-edge \p first, ordered from the source upwards and along the

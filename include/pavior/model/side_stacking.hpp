@@ -15,9 +15,9 @@ namespace pavior {
 
 /// Which vertices of a side face may be corners of its logical rectangle. Only for solids with sides above each other.
 struct StackingOptions {
-    double corner_tolerance = 65.0;  ///< a corner's interior angle is 90 +- this, degrees
-    double kink_tolerance = 50.0;    ///< at a vertex inside a logical side it is 180 +- this, degrees
-    std::size_t max_steps = 2000;    ///< faces tried before the search for one pair of caps gives up
+    double corner_tolerance = 65.0;   ///< a corner's interior angle is 90 +- this, degrees
+    double kink_tolerance = 50.0;     ///< at a vertex inside a logical side it is 180 +- this, degrees
+    std::size_t max_tests = 5000000;  ///< ways to see a face tried for one solid before the search gives up
 };
 
 namespace detail {
@@ -92,8 +92,8 @@ private:
         for (std::size_t rotation = 0; rotation < 4; ++rotation) {
             RolePattern pattern(angles.size());
             for (std::size_t i = 0; i < angles.size(); ++i) {
-                const auto passed = static_cast<std::size_t>(
-                    std::upper_bound(corners.begin(), corners.end(), i) - corners.begin());
+                const auto passed =
+                    static_cast<std::size_t>(std::upper_bound(corners.begin(), corners.end(), i) - corners.begin());
                 pattern[i] = static_cast<SideRole>((passed + 3 + rotation) % 4);
             }
             result.emplace_back(weight, std::move(pattern));
@@ -107,59 +107,30 @@ private:
 /// first; the first consistent assignment that makes a sweep is taken.
 class StackingSearch {
 public:
+    /// \p tests_left counts down the ways to see a face that are tried, over all searches of a solid.
     StackingSearch(const SolidBoundary& solid, const RolePatterns& patterns, std::size_t source, std::size_t target,
-                   const StackingOptions& options)
-        : solid_(solid), patterns_(patterns), source_(source), target_(target), steps_left_(options.max_steps) {
-        if (!possible()) {
-            steps_left_ = 0;
-            return;
-        }
-        roles_.assign(solid.half_edges.size(), SideRole::none);
-        done_.assign(solid.faces.size(), false);
-        direct_.resize(solid.faces.size());
-        const std::vector<SideRole> direct = direct_roles(solid, source, target);
-        for (std::size_t face = 0; face < solid.faces.size(); ++face) {
-            done_[face] = face == source || face == target;
-            if (!done_[face]) {
-                add_direct(face, direct, options);
-            }
-        }
-    }
+                   std::size_t& tests_left)
+        : solid_(solid), patterns_(patterns), source_(source), target_(target), tests_left_(tests_left) {}
 
     [[nodiscard]] std::optional<SweepTopology> run() {
-        if (steps_left_ != 0) {
+        if (possible()) {
+            roles_.assign(solid_.half_edges.size(), SideRole::none);
+            done_.assign(solid_.faces.size(), false);
+            done_[source_] = done_[target_] = true;
             extend();
         }
         return std::move(found_);
     }
 
 private:
-    /// Every side face has a pattern, or at least meets both caps.
+    /// Every side face has a pattern.
     [[nodiscard]] bool possible() const {
         for (std::size_t face = 0; face < solid_.faces.size(); ++face) {
-            if (face != source_ && face != target_ && patterns_[face].empty() &&
-                !reaches(solid_, face, source_, target_)) {
+            if (face != source_ && face != target_ && patterns_[face].empty()) {
                 return false;
             }
         }
         return true;
-    }
-
-    /// A face that reaches from cap to cap by topology needs no angles but at the kinks of its ribs.
-    void add_direct(std::size_t face, const std::vector<SideRole>& direct, const StackingOptions& options) {
-        const SolidBoundary::Face& f = solid_.faces[face];
-        if (f.loops.size() != 1 || !side_from_roles(solid_, face, direct)) {
-            return;
-        }
-        for (std::size_t h = f.begin; h < f.end; ++h) {
-            const SideRole role = direct[h];
-            const bool inside = role == direct[h == f.begin ? f.end - 1 : h - 1];
-            if (inside && (role == SideRole::left || role == SideRole::right) &&
-                std::abs(solid_.half_edges[h].angle - 180.0) > options.kink_tolerance) {
-                return;
-            }
-        }
-        direct_[face].assign(direct.begin() + offset(face), direct.begin() + end_offset(face));
     }
 
     /// The pattern agrees with the caps and the roles given so far. \p known counts the half-edges that it had to meet.
@@ -185,28 +156,23 @@ private:
     }
 
     /// The patterns of a face that fit; \p known tells whether the face had anything to meet.
-    [[nodiscard]] std::vector<const RolePattern*> fitting_patterns(std::size_t face, bool& known) const {
+    [[nodiscard]] std::vector<const RolePattern*> fitting_patterns(std::size_t face, bool& known) {
         std::vector<const RolePattern*> result;
         std::size_t met = 0;
         known = false;
-        const auto consider = [&](const RolePattern& pattern) {
+        for (const RolePattern& pattern : patterns_[face]) {
             if (fits(face, pattern, met)) {
                 result.push_back(&pattern);
             }
             known = known || met != 0;
-        };
-        if (!direct_[face].empty()) {
-            consider(direct_[face]);
         }
-        for (const RolePattern& pattern : patterns_[face]) {
-            consider(pattern);
-        }
+        tests_left_ -= std::min(tests_left_, patterns_[face].size());
         return result;
     }
 
     /// The unfinished face with the fewest fitting patterns, of those that have something to meet if there are any;
     /// faces.size() if all are done.
-    [[nodiscard]] std::size_t pick(std::vector<const RolePattern*>& fitting) const {
+    [[nodiscard]] std::size_t pick(std::vector<const RolePattern*>& fitting) {
         std::size_t best = solid_.faces.size();
         std::pair<bool, std::size_t> best_rank;
         for (std::size_t face = 0; face < solid_.faces.size(); ++face) {
@@ -221,6 +187,9 @@ private:
                 best_rank = rank;
                 fitting = std::move(candidates);
             }
+            if (best_rank.second == 0) {
+                break;
+            }
         }
         return best;
     }
@@ -234,10 +203,9 @@ private:
         }
         done_[face] = true;
         for (const RolePattern* pattern : fitting) {
-            if (found_ || steps_left_ == 0) {
+            if (found_ || tests_left_ == 0) {
                 break;
             }
-            --steps_left_;
             std::copy(pattern->begin(), pattern->end(), roles_.begin() + offset(face));
             extend();
         }
@@ -255,20 +223,18 @@ private:
     const SolidBoundary& solid_;
     const RolePatterns& patterns_;
     std::size_t source_, target_;
-    std::size_t steps_left_;
+    std::size_t& tests_left_;
     std::vector<SideRole> roles_;
-    std::vector<RolePattern> direct_;
     std::vector<bool> done_;
     std::optional<SweepTopology> found_;
 };
 
-/// A sweep from \p source to \p target (positions) with sides above each other, or nothing. Exact for the angles
-/// allowed by \p options as long as the search stays below options.max_steps.
+/// A sweep from \p source to \p target (positions) with sides above each other, or nothing. Exact for the angles that
+/// \p patterns allow as long as \p tests_left, which is counted down, does not reach 0.
 [[nodiscard]] inline std::optional<SweepTopology> find_stacked_sweep(const SolidBoundary& solid,
                                                                      const RolePatterns& patterns, std::size_t source,
-                                                                     std::size_t target,
-                                                                     const StackingOptions& options) {
-    return StackingSearch(solid, patterns, source, target, options).run();
+                                                                     std::size_t target, std::size_t& tests_left) {
+    return tests_left == 0 ? std::nullopt : StackingSearch(solid, patterns, source, target, tests_left).run();
 }
 
 }  // namespace detail

@@ -17,24 +17,25 @@ namespace pavior {
 /// The boundary of a solid in arrays, independent of the model it was read from.
 ///
 /// A half-edge is an edge as one face uses it, in the sense of the face's loop seen from outside the solid
-/// (counter-clockwise). Edges without length (poles, tips) are left out. Each other edge has exactly two half-edges, of opposite senses; those of a seam belong to one face.
+/// (counter-clockwise). Edges without length (poles, tips) are left out. Each other edge has exactly two half-edges, of
+/// opposite senses; those of a seam belong to one face.
 /// Half-edges of a loop are consecutive; faces are in the order of the model's solid_faces.
 struct SolidBoundary {
     struct HalfEdge {
         OrientedEdge use;
         VertexId start;
-        std::size_t face = 0;   ///< position in `faces`
-        std::size_t loop = 0;   ///< position among the loops of the face
-        std::size_t next = 0;   ///< following half-edge of the loop
-        std::size_t twin = 0;   ///< the other half-edge of the edge
-        double angle = 0.0;     ///< interior angle of the face at `start`, degrees
+        std::size_t face = 0;  ///< position in `faces`
+        std::size_t loop = 0;  ///< position among the loops of the face
+        std::size_t next = 0;  ///< following half-edge of the loop
+        std::size_t twin = 0;  ///< the other half-edge of the edge
+        double angle = 0.0;    ///< interior angle of the face at `start`, degrees
     };
     struct Face {
         OrientedFace face;
-        int tag = 0;                            ///< the number by which users know the face
-        std::vector<std::size_t> loops;         ///< first half-edge of each loop
-        std::size_t begin = 0, end = 0;         ///< its half-edges are [begin, end)
-        bool seam = false;                      ///< an edge occurs twice
+        int tag = 0;                     ///< the number by which users know the face
+        std::vector<std::size_t> loops;  ///< first half-edge of each loop
+        std::size_t begin = 0, end = 0;  ///< its half-edges are [begin, end)
+        bool seam = false;               ///< an edge occurs twice
     };
 
     SolidId solid;

@@ -62,8 +62,8 @@ namespace detail {
 /// The numbers found for a system.
 struct IntervalResult {
     ProgramStatus status = ProgramStatus::unsolved;
-    std::vector<int> numbers;     ///< per edge; empty unless the status is optimal or feasible
-    double objective = 0.0;       ///< sum of interval_cost over the edges
+    std::vector<int> numbers;        ///< per edge; empty unless the status is optimal or feasible
+    double objective = 0.0;          ///< sum of interval_cost over the edges
     std::vector<std::size_t> rules;  ///< if infeasible: the rules (ascending) of the part that has no solution
 };
 

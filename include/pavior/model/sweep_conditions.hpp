@@ -136,8 +136,7 @@ public:
 
 private:
     void add(SweepCondition condition, std::size_t face, std::string reason) {
-        obstacles_.push_back(
-            {condition, solid_.faces[face].face.face, solid_.faces[face].tag, std::move(reason)});
+        obstacles_.push_back({condition, solid_.faces[face].face.face, solid_.faces[face].tag, std::move(reason)});
     }
 
     void caps() {
@@ -188,8 +187,7 @@ private:
     void one_cap_only(std::size_t face, std::size_t missing) {
         const std::string cap = missing == source_ ? "source" : "target";
         if (share_vertex(face, missing)) {
-            add(SweepCondition::four_logical_sides, face,
-                "three logical sides, only a vertex on the " + cap);
+            add(SweepCondition::four_logical_sides, face, "three logical sides, only a vertex on the " + cap);
         } else {
             add(SweepCondition::one_source_one_target, face, "no edge on the " + cap);
         }
@@ -208,11 +206,11 @@ private:
 
 [[nodiscard]] inline SweepRefusal too_few_faces(const SolidBoundary& solid) {
     SweepRefusal refusal;
-    const std::string reason = "one of only " + std::to_string(solid.faces.size()) +
-                               " faces, too few for source, target and linking side";
+    const std::string reason =
+        "one of only " + std::to_string(solid.faces.size()) + " faces, too few for source, target and linking side";
     if (!solid.faces.empty()) {
-        refusal.obstacles.push_back({SweepCondition::one_source_one_target, solid.faces[0].face.face,
-                                     solid.faces[0].tag, reason});
+        refusal.obstacles.push_back(
+            {SweepCondition::one_source_one_target, solid.faces[0].face.face, solid.faces[0].tag, reason});
     }
     refusal.text = obstacle_text(refusal.obstacles);
     return refusal;
@@ -220,8 +218,7 @@ private:
 
 /// How badly a pair fails: caps that touch, other defects of the caps, unfit side faces.
 [[nodiscard]] inline std::tuple<std::size_t, std::size_t, std::size_t> badness(const SolidBoundary& solid,
-                                                                               std::size_t source,
-                                                                               std::size_t target) {
+                                                                               std::size_t source, std::size_t target) {
     const SolidBoundary::Face &s = solid.faces[source], &t = solid.faces[target];
     const std::set<VertexId> vertices = face_vertices(solid, source);
     std::size_t touching = 0;

@@ -68,10 +68,9 @@ template <brep B>
 /// The same for both caps; \p side belongs to loop \p i.
 template <brep B>
 [[nodiscard]] double cap_deviation(const B& b, const SweepTopology& sweep, std::size_t i, const LinkingSide& side) {
-    return std::max(deviation_from_cap(b, {sweep.source, sweep.source_outward}, sweep.source_loops[i], false, side,
-                                       side.bottom),
-                    deviation_from_cap(b, {sweep.target, sweep.target_outward}, sweep.target_loops[i], true, side,
-                                       side.top));
+    return std::max(
+        deviation_from_cap(b, {sweep.source, sweep.source_outward}, sweep.source_loops[i], false, side, side.bottom),
+        deviation_from_cap(b, {sweep.target, sweep.target_outward}, sweep.target_loops[i], true, side, side.top));
 }
 
 /// Turning of a chain: of its edges, and from edge to edge, degrees.
@@ -108,8 +107,7 @@ template <brep B>
 
 /// Lengthens the ways in \p reach (shortest and longest way from the source to a vertex) by the edges of a rib.
 template <brep B>
-void extend_ways(const B& b, std::span<const OrientedEdge> rib,
-                 std::map<VertexId, std::pair<double, double>>& reach) {
+void extend_ways(const B& b, std::span<const OrientedEdge> rib, std::map<VertexId, std::pair<double, double>>& reach) {
     for (const OrientedEdge& use : rib) {
         const auto from = reach.emplace(first_vertex(b, use), std::pair{0.0, 0.0}).first->second;
         const double length = b.edge_length(use.edge);
@@ -147,8 +145,8 @@ template <brep B>
         for (const LinkingSide& side : sweep.loops[i]) {
             shape.corner_deviation = std::max(shape.corner_deviation, detail::corner_deviation(b, side));
             shape.cap_deviation = std::max(shape.cap_deviation, detail::cap_deviation(b, sweep, i, side));
-            shape.rib_turn = std::max({shape.rib_turn, detail::chain_turning<B>(b, side.left),
-                                       detail::chain_turning<B>(b, side.right)});
+            shape.rib_turn = std::max(
+                {shape.rib_turn, detail::chain_turning<B>(b, side.left), detail::chain_turning<B>(b, side.right)});
         }
         shape.cap_edges += sweep.source_loops[i].size() + sweep.target_loops[i].size();
     }
@@ -163,8 +161,7 @@ template <brep B>
 /// Linking sides on which every hexahedron at some corner or along a cap would be flat or inverted, however its nodes
 /// are placed: an angle differs from 90 degrees by more than \p max_deviation.
 template <brep B>
-[[nodiscard]] std::vector<SweepObstacle> shape_obstacles(const B& b, const SweepTopology& sweep,
-                                                         double max_deviation) {
+[[nodiscard]] std::vector<SweepObstacle> shape_obstacles(const B& b, const SweepTopology& sweep, double max_deviation) {
     std::vector<SweepObstacle> result;
     const auto add = [&](const LinkingSide& side, double deviation, const std::string& what) {
         if (deviation > max_deviation) {

@@ -182,10 +182,10 @@ private:
             SidePlacement at{0, 0, chain_intervals(side.bottom, intervals), chain_intervals(side.left, intervals)};
             if (at.columns != chain_intervals(side.top, intervals) ||
                 at.rows != chain_intervals(side.right, intervals) || !grid.find(side, at)) {
-                throw InputError(ErrorCode::bad_index,
-                                 "the intervals given do not fit linking side (face id) " +
-                                     std::to_string(side.face.value),
-                                 {side.face.value});
+                throw InputError(
+                    ErrorCode::bad_index,
+                    "the intervals given do not fit linking side (face id) " + std::to_string(side.face.value),
+                    {side.face.value});
             }
             grid.note(side, at);
             result[i].push_back(at);

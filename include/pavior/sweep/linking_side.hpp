@@ -55,10 +55,10 @@ struct LinkingSideMesh {
     StructuredGrid<Vec3> nodes;
     StructuredGrid<Vec2> uv;  ///< parameters of the nodes; no nodes without a surface
     LinkingWay way = LinkingWay::space;
-    bool reversed = false;                  ///< rows and columns run clockwise in the parameter plane
-    std::vector<Index> folded_parameter;    ///< quads folded by the interpolation in the parameter plane
-    SmoothReport smooth;                    ///< of the untangling; iterations 0 if there was none to do
-    std::vector<Index> folded;              ///< quads still folded, ascending
+    bool reversed = false;                ///< rows and columns run clockwise in the parameter plane
+    std::vector<Index> folded_parameter;  ///< quads folded by the interpolation in the parameter plane
+    SmoothReport smooth;                  ///< of the untangling; iterations 0 if there was none to do
+    std::vector<Index> folded;            ///< quads still folded, ascending
 };
 
 /// A functor Vec3 -> Vec2: parameters of a point of the surface next to a point in space.
@@ -131,7 +131,8 @@ void try_closest_points(const S& surface, const Closest& closest, const Structur
 
 /// Untangles on the surface, the border fixed; the shapes wanted are those of the interpolation in space.
 template <parametric_surface S>
-void untangle_side(const S& surface, const StructuredGrid<Vec3>& in_space, UntangleOptions options, LinkingSideMesh& side) {
+void untangle_side(const S& surface, const StructuredGrid<Vec3>& in_space, UntangleOptions options,
+                   LinkingSideMesh& side) {
     const std::vector<QuadCorners> quads = structured_quads(side.uv.columns, side.uv.rows);
     std::vector<std::uint8_t> fixed(side.uv.nodes.size(), 1);
     for (std::size_t k = 1; k < side.uv.rows; ++k) {
@@ -141,9 +142,9 @@ void untangle_side(const S& surface, const StructuredGrid<Vec3>& in_space, Untan
     }
     options.reversed = side.reversed;
     LinkingSideMesh other = side;
-    other.smooth = untangle_surface_quads(surface, std::span<Vec2>(other.uv.nodes), std::span<const QuadCorners>(quads),
-                                          std::span<const std::uint8_t>(fixed), options,
-                                          std::span<const Vec3>(in_space.nodes));
+    other.smooth =
+        untangle_surface_quads(surface, std::span<Vec2>(other.uv.nodes), std::span<const QuadCorners>(quads),
+                               std::span<const std::uint8_t>(fixed), options, std::span<const Vec3>(in_space.nodes));
     evaluate_inside(surface, other);
     other.folded = folded_quads(surface, other);
     if (other.folded.size() < side.folded.size()) {
@@ -157,7 +158,8 @@ void untangle_side(const S& surface, const StructuredGrid<Vec3>& in_space, Untan
 
 /// Mesh of a linking side without a surface: transfinite interpolation in space (transfinite.hpp has the errors).
 /// The side nodes are copied bit by bit; folded quads are reported, not repaired. O(M R); thread-safe.
-[[nodiscard]] inline LinkingSideMesh linking_side(const GridSides<Vec3>& sides, const LinkingSideOptions& options = {}) {
+[[nodiscard]] inline LinkingSideMesh linking_side(const GridSides<Vec3>& sides,
+                                                  const LinkingSideOptions& options = {}) {
     LinkingSideMesh side;
     side.nodes = transfinite(sides, options.transfinite);
     side.folded = folded_grid_quads(side.nodes);
@@ -174,9 +176,9 @@ void untangle_side(const S& surface, const StructuredGrid<Vec3>& in_space, Untan
 /// InputError: as transfinite(), for either set of sides; size_mismatch if the two differ. Quads that stay folded are
 /// reported. O(M R) evaluations unless quads fold. As thread-safe as the surface.
 template <parametric_surface S, class Closest = NoClosestPoint>
-requires(closest_point_function<Closest> || std::same_as<Closest, NoClosestPoint>)
-[[nodiscard]] LinkingSideMesh linking_side(const S& surface, const GridSides<Vec3>& sides, const GridSides<Vec2>& uv_sides,
-                                       const LinkingSideOptions& options = {}, const Closest& closest = {}) {
+requires(closest_point_function<Closest> || std::same_as<Closest, NoClosestPoint>) [[nodiscard]] LinkingSideMesh
+    linking_side(const S& surface, const GridSides<Vec3>& sides, const GridSides<Vec2>& uv_sides,
+                 const LinkingSideOptions& options = {}, const Closest& closest = {}) {
     const StructuredGrid<Vec3> in_space = transfinite(sides, options.transfinite);
     LinkingSideMesh side;
     side.way = LinkingWay::parameter;

@@ -276,7 +276,8 @@ inline void widen_intervals(std::vector<double>& levels, const Spacing& spacing,
         for (const double share : {1.0, 0.3, 0.1, 0.0}) {
             RibLevels levels = place_levels(tables, spacing, share * options.min_spacing);
             const RuledQuality now = patches.quality(levels);
-            const bool better = now.folded < quality.folded || (now.folded == quality.folded && now.min_det > quality.min_det);
+            const bool better =
+                now.folded < quality.folded || (now.folded == quality.folded && now.min_det > quality.min_det);
             if (better && strictly_increasing(levels)) {
                 best = std::move(levels);
                 quality = now;

@@ -41,7 +41,9 @@ template <class Place>
 class SpaceProjector {
 public:
     SpaceProjector(const SourceCap& source, std::span<const Vec3> loop_nodes, const Place& place)
-        : source_(source), loop_nodes_(loop_nodes), place_(place),
+        : source_(source),
+          loop_nodes_(loop_nodes),
+          place_(place),
           boundary_(mark_boundary(source.nodes.size(), source.quads, source.loops)) {
         require_size(loop_nodes.size(), source.loops.nodes.size(), "target positions of the loop nodes");
         require_finite(source.nodes, "a source node");

@@ -43,21 +43,22 @@ struct SourceCap {
 
 /// The target mesh and its report.
 struct TargetMesh {
-    std::vector<Vec3> nodes;              ///< in the order of the source nodes
-    std::vector<Vec2> uv;                 ///< parameters on the target surface
-    AffineMap<double, 2> map;             ///< F of the loops in the parameter planes, eq. (4.5) \cite roca2009
-    double residual = 0.0;                ///< max |u_T - map(u_S)| over the loop nodes, unit of the parameters
-    bool reversed = false;                ///< quads run clockwise in the target's parameter plane
-    bool corrected = false;               ///< the boundary correction is in
-    std::vector<Index> folded_by_map;     ///< quads that the affine map alone folds, ascending
-    SmoothReport smooth;                  ///< of the untangling; iterations 0 if there was none to do
-    std::vector<Index> folded;            ///< quads still folded, ascending
+    std::vector<Vec3> nodes;           ///< in the order of the source nodes
+    std::vector<Vec2> uv;              ///< parameters on the target surface
+    AffineMap<double, 2> map;          ///< F of the loops in the parameter planes, eq. (4.5) \cite roca2009
+    double residual = 0.0;             ///< max |u_T - map(u_S)| over the loop nodes, unit of the parameters
+    bool reversed = false;             ///< quads run clockwise in the target's parameter plane
+    bool corrected = false;            ///< the boundary correction is in
+    std::vector<Index> folded_by_map;  ///< quads that the affine map alone folds, ascending
+    SmoothReport smooth;               ///< of the untangling; iterations 0 if there was none to do
+    std::vector<Index> folded;         ///< quads still folded, ascending
 };
 
 /// Coordinates of a cap in a plane, for a source without a surface: along two orthonormal axes perpendicular to the
 /// vector area of the quads, about the mean of the nodes; quads of a nearly flat cap run counter-clockwise.
 /// InputError (null_pseudo_area) if the quads enclose no area. O(n).
-[[nodiscard]] inline std::vector<Vec2> plane_coordinates(std::span<const Vec3> nodes, std::span<const QuadCorners> quads) {
+[[nodiscard]] inline std::vector<Vec2> plane_coordinates(std::span<const Vec3> nodes,
+                                                         std::span<const QuadCorners> quads) {
     Vec3 centre = Vec3::Zero();
     for (const Vec3& x : nodes) {
         centre += x / static_cast<double>(nodes.size());
@@ -91,7 +92,10 @@ class TargetProjector {
 public:
     TargetProjector(const S& surface, const SourceCap& source, std::span<const Vec2> loop_uv,
                     std::span<const Vec3> loop_nodes)
-        : surface_(surface), source_(source), loop_uv_(loop_uv), loop_nodes_(loop_nodes),
+        : surface_(surface),
+          source_(source),
+          loop_uv_(loop_uv),
+          loop_nodes_(loop_nodes),
           boundary_(mark_boundary(source.nodes.size(), source.quads, source.loops)) {
         require_size(source.uv.size(), source.nodes.size(), "source parameters");
         require_size(loop_uv.size(), source.loops.nodes.size(), "target parameters of the loop nodes");
@@ -142,7 +146,8 @@ private:
     /// neither.
     [[nodiscard]] bool is_reversed(std::span<const Vec2> source_loop) const {
         const bool target_clockwise = loops_area(loop_uv_, source_.loops.offsets) < 0.0;
-        const double with_quads = loops_area(source_loop, source_.loops.offsets) * quads_area(source_.uv, source_.quads);
+        const double with_quads =
+            loops_area(source_loop, source_.loops.offsets) * quads_area(source_.uv, source_.quads);
         return target_clockwise != (with_quads < 0.0);
     }
 

@@ -117,9 +117,9 @@ template <class P>
 void check_sides(const GridSides<P>& sides, double corner_tolerance) {
     check_sides_shape(sides);
     const std::array<std::pair<const P*, const P*>, 4> corners{{{&sides.bottom.front(), &sides.left.front()},
-                                                                 {&sides.bottom.back(), &sides.right.front()},
-                                                                 {&sides.top.back(), &sides.right.back()},
-                                                                 {&sides.top.front(), &sides.left.back()}}};
+                                                                {&sides.bottom.back(), &sides.right.front()},
+                                                                {&sides.top.back(), &sides.right.back()},
+                                                                {&sides.top.front(), &sides.left.back()}}};
     const double allowed = corner_tolerance * sides_extent(sides);
     Error::Ids bad;
     for (std::size_t c = 0; c < corners.size(); ++c) {

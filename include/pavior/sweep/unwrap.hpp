@@ -39,8 +39,8 @@ inline void unwrap_chain(std::span<Vec2> chain, const Periods& periods) {
 
 /// Whether a loop closes in the parameter plane.
 struct UnwrapReport {
-    bool closed = true;      ///< the largest gap is below the tolerance
-    Vec2 gap = Vec2::Zero(); ///< the largest jump between consecutive chains, the last and the first included
+    bool closed = true;       ///< the largest gap is below the tolerance
+    Vec2 gap = Vec2::Zero();  ///< the largest jump between consecutive chains, the last and the first included
 };
 
 namespace detail {
@@ -112,8 +112,7 @@ inline UnwrapReport unwrap_sides(std::span<Vec2> bottom, std::span<Vec2> top, st
     for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
         const Vec2& a = polygon[i];
         const Vec2& b = polygon[j];
-        if ((a.y() > p.y()) != (b.y() > p.y()) &&
-            p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) {
+        if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) {
             inside = !inside;
         }
     }

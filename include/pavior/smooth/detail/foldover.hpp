@@ -68,8 +68,8 @@ FoldoverResult minimise_foldover(Energy& energy, Eigen::VectorXd& x, const Foldo
         if (after.min_det > 0.0 && after.energy > (1.0 - 1e-3) * before && mode.epsilon < 0.3 * after.min_det) {
             break;
         }
-        if (mode.epsilon < -(converged ? 0.1 : 0.03) * after.min_det) {
-            break;  // a minimum, and what is inverted stays so however small epsilon: no valid mesh in reach
+        if (mode.epsilon < -(converged ? 0.1 : 0.03) * after.min_det || (mode.epsilon < 1e-5 && after.min_det <= 0.0)) {
+            break;  // what is inverted stays so, or gets flat at best, however small epsilon: no valid mesh in reach
         }
         if (k % 15 == 14) {
             if (after.min_det <= 0.0 && after.min_det < 0.95 * reference_det) {

@@ -32,8 +32,8 @@ void require_finite(std::span<const P> points, const char* what) {
 
 inline void require_size(std::size_t size, std::size_t wanted, const char* what) {
     if (size != wanted) {
-        throw InputError(ErrorCode::size_mismatch,
-                         std::string(what) + ": " + std::to_string(size) + " given, " + std::to_string(wanted) + " wanted");
+        throw InputError(ErrorCode::size_mismatch, std::string(what) + ": " + std::to_string(size) + " given, " +
+                                                       std::to_string(wanted) + " wanted");
     }
 }
 
@@ -48,8 +48,9 @@ inline void require_size(std::size_t size, std::size_t wanted, const char* what)
     std::vector<std::uint8_t> boundary(count, 0);
     for (const Index i : loops.nodes) {
         if (i >= count || boundary[i] != 0) {
-            throw InputError(ErrorCode::bad_index, i >= count ? "a loop names a node that does not exist"
-                                                              : "the loops name a node twice", {i});
+            throw InputError(ErrorCode::bad_index,
+                             i >= count ? "a loop names a node that does not exist" : "the loops name a node twice",
+                             {i});
         }
         boundary[i] = 1;
     }
