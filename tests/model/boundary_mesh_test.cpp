@@ -22,11 +22,11 @@ TEST_CASE("edges share the nodes of their vertices, and only edges with interval
     }
 }
 
-TEST_CASE("given fractions place the nodes of an edge") {
+TEST_CASE("given parameters place the nodes of an edge") {
     test::TestBrep b;
     const EdgeId e = b.line(b.vertex({0, 0, 0}), b.vertex({4, 0, 0}));
-    const std::vector<std::vector<double>> fractions{{0, 0.25, 1}};
-    const BoundaryMesh mesh = mesh_edges(b, std::vector<int>{2}, fractions);
+    const std::vector<std::vector<double>> parameters{{0, 0.25, 1}};
+    const BoundaryMesh mesh = mesh_edges(b, std::vector<int>{2}, parameters);
     CHECK(mesh.nodes[mesh.edges[e.index()].nodes[1]][0] == Approx(1.0));
 }
 

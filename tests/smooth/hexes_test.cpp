@@ -209,8 +209,8 @@ TEST_CASE("hexes as an Eigen matrix", "[hexes]") {
             H(k, h) = grid.hexes[static_cast<std::size_t>(h)][static_cast<std::size_t>(k)];
         }
     }
-    const SmoothReport report = untangle_hexes(
-        {reinterpret_cast<Vec3*>(V.data()), 125}, {reinterpret_cast<const HexCorners*>(H.data()), 64}, grid.fixed);
+    const SmoothReport report = untangle_hexes({reinterpret_cast<Vec3*>(V.data()), 125},
+                                               {reinterpret_cast<const HexCorners*>(H.data()), 64}, grid.fixed);
     CHECK(report.status == SmoothStatus::repaired);
     CHECK((V.col(62) - Vec3(2, 2, 2)).norm() < 0.3);
 }

@@ -27,7 +27,9 @@ using pavior::Vec3;
 class Random {
 public:
     explicit Random(unsigned seed) : engine_(seed) {}
-    double operator()(double low, double high) { return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0; }
+    double operator()(double low, double high) {
+        return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
+    }
 
 private:
     std::mt19937 engine_;
@@ -91,10 +93,14 @@ inline QuadGrid disc(Index n, Index rings) {
     }
     std::vector<Index> rim;
     const Index m = n + 1;
-    for (Index i = 0; i < n; ++i) rim.push_back(i);
-    for (Index j = 0; j < n; ++j) rim.push_back(n + m * j);
-    for (Index i = n; i > 0; --i) rim.push_back(i + m * n);
-    for (Index j = n; j > 0; --j) rim.push_back(m * j);
+    for (Index i = 0; i < n; ++i)
+        rim.push_back(i);
+    for (Index j = 0; j < n; ++j)
+        rim.push_back(n + m * j);
+    for (Index i = n; i > 0; --i)
+        rim.push_back(i + m * n);
+    for (Index j = n; j > 0; --j)
+        rim.push_back(m * j);
     grid.fixed.assign(grid.nodes.size(), 0);
     std::vector<Index> last = rim;
     for (Index ring = 1; ring <= rings; ++ring) {

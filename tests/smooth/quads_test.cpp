@@ -247,9 +247,8 @@ TEST_CASE("quads as an Eigen matrix", "[quads]") {
             F(k, q) = grid.quads[static_cast<std::size_t>(q)][static_cast<std::size_t>(k)];
         }
     }
-    const SmoothReport report =
-        untangle_quads({reinterpret_cast<Vec2*>(V.data()), 81}, {reinterpret_cast<const QuadCorners*>(F.data()), 64},
-                       grid.fixed);
+    const SmoothReport report = untangle_quads({reinterpret_cast<Vec2*>(V.data()), 81},
+                                               {reinterpret_cast<const QuadCorners*>(F.data()), 64}, grid.fixed);
     CHECK(report.status == SmoothStatus::repaired);
     CHECK((V.col(40) - Vec2(4, 4)).norm() < 0.3);
 }

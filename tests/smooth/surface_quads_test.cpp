@@ -29,12 +29,13 @@ struct Cylinder {  // u in radians, v along the axis
 struct Sphere {  // longitude, latitude
     double radius;
     Vec3 point(const Vec2& uv) const {
-        return radius * Vec3(std::cos(uv.x()) * std::cos(uv.y()), std::sin(uv.x()) * std::cos(uv.y()), std::sin(uv.y()));
+        return radius *
+               Vec3(std::cos(uv.x()) * std::cos(uv.y()), std::sin(uv.x()) * std::cos(uv.y()), std::sin(uv.y()));
     }
     std::pair<Vec3, Vec3> derivatives(const Vec2& uv) const {
         return {radius * Vec3(-std::sin(uv.x()) * std::cos(uv.y()), std::cos(uv.x()) * std::cos(uv.y()), 0),
-                radius * Vec3(-std::cos(uv.x()) * std::sin(uv.y()), -std::sin(uv.x()) * std::sin(uv.y()),
-                              std::cos(uv.y()))};
+                radius *
+                    Vec3(-std::cos(uv.x()) * std::sin(uv.y()), -std::sin(uv.x()) * std::sin(uv.y()), std::cos(uv.y()))};
     }
 };
 struct Saddle {  // over a skewed and badly scaled plane
@@ -135,7 +136,8 @@ TEST_CASE("a quad mesh on a surface that is not folded is not touched", "[surfac
     tangle(grid, {0.02, 0.02}, 1);
     const QuadGrid before = grid;
     REQUIRE(count_folded(Sphere{2.0}, grid.nodes, grid.quads) == 0);
-    const SmoothReport report = untangle_surface_quads(Sphere{2.0}, std::span<Vec2>(grid.nodes), grid.quads, grid.fixed);
+    const SmoothReport report =
+        untangle_surface_quads(Sphere{2.0}, std::span<Vec2>(grid.nodes), grid.quads, grid.fixed);
     CHECK(report.status == SmoothStatus::unchanged);
     CHECK(grid.nodes == before.nodes);
     CHECK(report.min_det_before > 0.5);
@@ -179,8 +181,9 @@ TEST_CASE("reversed quads on a surface", "[surface_quads]") {
           SmoothStatus::repaired);
     CHECK(count_folded(surface, copy.nodes, copy.quads, true) == 0);
     QuadGrid unaware = grid;
-    CHECK(untangle_surface_quads(surface, std::span<Vec2>(unaware.nodes), unaware.quads, unaware.fixed).inverted_before ==
-          100);
+    CHECK(
+        untangle_surface_quads(surface, std::span<Vec2>(unaware.nodes), unaware.quads, unaware.fixed).inverted_before ==
+        100);
 }
 
 TEST_CASE("surface quads take the shape of the reference", "[surface_quads]") {
@@ -234,7 +237,8 @@ TEST_CASE("always improves quads on a surface, by the same bytes for any number 
     QuadGrid four = one;
     UntangleOptions options;
     options.always = true;
-    const SmoothReport report = untangle_surface_quads(surface, std::span<Vec2>(one.nodes), one.quads, one.fixed, options);
+    const SmoothReport report =
+        untangle_surface_quads(surface, std::span<Vec2>(one.nodes), one.quads, one.fixed, options);
     options.execution = Execution{4};
     untangle_surface_quads(surface, std::span<Vec2>(four.nodes), four.quads, four.fixed, options);
     CHECK(report.inverted_after == 0);

@@ -51,11 +51,11 @@ struct BoundaryMesh {
     }
 };
 
-/// Meshes every edge whose entry of \p intervals (by edge id) is positive. Nodes lie at equal arc length, or at
-/// `fractions[e]` of it where that is not empty (0, ..., 1, one more than the intervals).
+/// Meshes every edge whose entry of \p intervals (by edge id) is positive. Nodes lie at equal arc length, or where
+/// \p parameters (by edge id) holds any for the edge, at these: ascending over its range, one more than the intervals.
 template <brep B>
 [[nodiscard]] BoundaryMesh mesh_edges(const B& b, std::span<const int> intervals,
-                                      std::span<const std::vector<double>> fractions = {}) {
+                                      std::span<const std::vector<double>> parameters = {}) {
     BoundaryMesh mesh;
     mesh.vertices.assign(b.vertex_count(), no_node);
     mesh.edges.resize(b.edge_count());
@@ -73,8 +73,8 @@ template <brep B>
         }
         const EdgeId e{static_cast<std::int32_t>(i)};
         EdgeNodes& edge = mesh.edges[i];
-        const bool given = !fractions.empty() && !fractions[i].empty();
-        edge.parameters = edge_parameters(b, e, given ? fractions[i] : equal_fractions(intervals[i]));
+        const bool given = !parameters.empty() && !parameters[i].empty();
+        edge.parameters = given ? parameters[i] : edge_parameters(b, e, equal_fractions(intervals[i]));
         const auto ends = b.edge_vertices(e);
         edge.nodes.push_back(vertex(ends[0]));
         for (std::size_t k = 1; k + 1 < edge.parameters.size(); ++k) {

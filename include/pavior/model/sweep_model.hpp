@@ -6,6 +6,7 @@
 #include <pavior/mesh/span_mesh.hpp>
 #include <pavior/model/cap_order.hpp>
 #include <pavior/model/mesh_linking_side.hpp>
+#include <pavior/model/rib_parameters.hpp>
 #include <pavior/model/sweep_solid.hpp>
 
 #include <cstddef>
@@ -17,8 +18,8 @@ namespace pavior {
 
 struct ModelSweepOptions {
     SolidSweepOptions solid;
-    /// Fractions of arc length of the nodes of each edge (by edge id, 0 .. 1); empty: equal arc length.
-    std::span<const std::vector<double>> edge_fractions{};
+    /// Ribs follow each other where equal spacing would fold a linking side (rib_parameters()).
+    bool follow_ribs = true;
     Progress progress = {};
 };
 
@@ -123,7 +124,11 @@ template <brep B, cap_mesher M>
                                     M&& mesher, const ModelSweepOptions& options = {}) {
     ModelMesh result;
     report(options.progress, "edges", 0);
-    BoundaryMesh mesh = mesh_edges(b, intervals, options.edge_fractions);
+    std::vector<std::vector<double>> parameters;
+    if (options.follow_ribs) {
+        parameters = rib_parameters(b, sweeps, intervals);
+    }
+    BoundaryMesh mesh = mesh_edges(b, intervals, parameters);
     report(options.progress, "linking sides", 0.05);
     detail::mesh_linking_sides(b, mesh, sweeps, options.solid.smooth, result);
     const auto meshed = [&](FaceId f) { return !mesh.faces[f.index()].empty(); };

@@ -216,7 +216,7 @@ SolidMesh sweep_solid(const B& b, BoundaryMesh& mesh, const SweepTopology& sweep
     std::vector<Index> target_ids;
     if (mesh.faces[sweep.target.index()].empty()) {
         TargetOptions target_options;
-        target_options.untangle = options.smooth;
+        target_options.untangle = target_options.smooth_repaired = options.smooth;
         target_options.correction = options.sweep.correction == BoundaryCorrection::none ? TargetCorrection::never
                                                                                          : TargetCorrection::always;
         const TargetMesh target = detail::mesh_target(b, mesh, sweep, problem, levels, target_options);

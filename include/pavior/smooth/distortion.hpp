@@ -42,8 +42,8 @@ struct Distortion {
     double det_curvature = 0.0;    ///< convex part of the second derivative by the determinant
 };
 
-/// W(J) = (tr(J^T J) / chi^(2/d) + theta (1 + det^2) / chi) / (d + 2 theta), chi = chi(epsilon, det J): 1 for rotations,
-/// at least 1 for det J > 0 and epsilon = 0, \cite garanzha2021.
+/// W(J) = (tr(J^T J) / chi^(2/d) + theta (1 + det^2) / chi) / (d + 2 theta), chi = chi(epsilon, det J): 1 for
+/// rotations, at least 1 for det J > 0 and epsilon = 0, \cite garanzha2021.
 /// \param J           d x d Jacobian, d = 2 or 3, from the ideal to the actual simplex.
 /// \param epsilon     >= 0; > 0 if det J may be <= 0.
 /// \param derivative  dW/dJ, d x d.

@@ -29,6 +29,9 @@ struct TargetOptions {
     TargetCorrection correction = TargetCorrection::when_folded;
     /// Untangle quads that are still folded. With correction never and untangle false the result is the plain map.
     bool untangle = true;
+    /// If the affine map folds quads, also smooth what the correction and the untangling have made of it: all inner
+    /// nodes, the smallest determinant never gets worse. Nothing happens where the map alone folds nothing.
+    bool smooth_repaired = false;
     /// How to untangle; `reversed` is set by the function.
     UntangleOptions untangling;
 };
@@ -114,8 +117,9 @@ public:
         if (options.correction == TargetCorrection::always || repair) {
             correct(target, options.correction == TargetCorrection::always);
         }
-        if (options.untangle && !target.folded.empty()) {
-            untangle(target, options.untangling);
+        const bool smooth = options.smooth_repaired && !target.folded_by_map.empty();
+        if (options.untangle && (smooth || !target.folded.empty())) {
+            untangle(target, options.untangling, smooth);
         }
         return target;
     }
@@ -181,14 +185,16 @@ private:
         }
     }
 
-    void untangle(TargetMesh& target, UntangleOptions options) const {
+    void untangle(TargetMesh& target, UntangleOptions options, bool smooth) const {
         options.reversed = target.reversed;
+        options.always = options.always || smooth;
         TargetMesh other = target;
         other.smooth = untangle_surface_quads(surface_, std::span<Vec2>(other.uv), source_.quads,
                                               std::span<const std::uint8_t>(boundary_), options, source_.nodes);
         evaluate(other);
         other.folded = folded(other);
-        if (other.folded.size() < target.folded.size()) {
+        const bool better = other.smooth.min_det_after > other.smooth.min_det_before;
+        if (other.folded.size() < target.folded.size() || (other.folded.size() == target.folded.size() && better)) {
             target = std::move(other);
         } else {
             target.smooth = std::move(other.smooth);

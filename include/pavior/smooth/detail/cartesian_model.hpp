@@ -4,8 +4,8 @@
 
 #include <pavior/smooth/detail/cell_energy.hpp>
 #include <pavior/smooth/detail/foldover.hpp>
-#include <pavior/smooth/lbfgs.hpp>
 #include <pavior/smooth/detail/untangle.hpp>
+#include <pavior/smooth/lbfgs.hpp>
 
 #include <Eigen/Core>
 

@@ -233,15 +233,14 @@ private:
             const Matrix& to_ideal = ideal(cell, simplex);
             const Matrix J = jacobian(cell, simplex, points) * to_ideal;
             const Distortion W = distortion<D>(J, mode.epsilon, mode.theta, slope);
-            const double metric = simplex < corners && !metric_.empty()
-                                      ? metric_[cell * corners + at(simplex)].squaredNorm() / D
-                                      : 1.0;
+            const double metric =
+                simplex < corners && !metric_.empty() ? metric_[cell * corners + at(simplex)].squaredNorm() / D : 1.0;
             CellPoints<D> rows = CellPoints<D>::Zero();
             scatter_rows(simplex, to_ideal, rows);
             const CellPoints<D> by_det = cofactors<D>(J) * rows;
             for (int c = 0; c < corners; ++c) {
-                const double value = W.shape_curvature * rows.col(c).squaredNorm() +
-                                     W.det_curvature * by_det.col(c).squaredNorm() / D;
+                const double value =
+                    W.shape_curvature * rows.col(c).squaredNorm() + W.det_curvature * by_det.col(c).squaredNorm() / D;
                 const Index i = cells_[cell][at(c)];
                 if (is_free(i)) {
                     result.template segment<D>(static_cast<Eigen::Index>(i) * D).array() +=

@@ -135,8 +135,8 @@ template <int D>
     }
     if constexpr (D == 3) {
         for (int s = 0; s < samples; ++s) {
-            least = std::min(least, scaled_determinant<3>(
-                                        sample_jacobian(points, hex_samples[static_cast<std::size_t>(s)])));
+            least = std::min(least,
+                             scaled_determinant<3>(sample_jacobian(points, hex_samples[static_cast<std::size_t>(s)])));
         }
     }
     return least;

@@ -27,7 +27,7 @@ struct FoldoverResult {
 };
 
 /// Next epsilon of \cite garanzha2021. With \p least_decrease = 1/10 the determinants become positive after finitely
-/// many steps if every step minimises well enough and a valid mesh exists; after a step that has converged 3/10 will do.
+/// many steps if every step minimises well enough and a valid mesh exists; after a converged step 3/10 will do.
 [[nodiscard]] inline double next_epsilon(double epsilon, double min_det, double energy_before, double energy_after,
                                          double least_decrease = 0.1) {
     const double decrease = std::max(least_decrease, 1.0 - energy_after / energy_before);

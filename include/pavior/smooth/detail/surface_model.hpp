@@ -6,8 +6,8 @@
 #include <pavior/math/point.hpp>
 #include <pavior/smooth/detail/cell_energy.hpp>
 #include <pavior/smooth/detail/foldover.hpp>
-#include <pavior/smooth/lbfgs.hpp>
 #include <pavior/smooth/detail/untangle.hpp>
+#include <pavior/smooth/lbfgs.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -93,8 +93,8 @@ public:
         const QuadCorners& q = quads_[c];
         for (std::size_t k = 0; k < 4; ++k) {
             const bool rigid = fixed_[q[k]] != 0 && fixed_[q[(k + 1) % 4]] != 0 && fixed_[q[(k + 3) % 4]] != 0;
-            if (rigid && !(scaled_determinant<2>(corner_edges<2>(parameters(q), static_cast<int>(k))) >
-                           inverted_tolerance)) {
+            if (rigid &&
+                !(scaled_determinant<2>(corner_edges<2>(parameters(q), static_cast<int>(k))) > inverted_tolerance)) {
                 return true;
             }
         }
@@ -227,7 +227,8 @@ private:
             const double share = 1.0 / static_cast<double>(patch.cells.size());
             area += share * std::sqrt(std::max(0.0, g[0] * g[2] - g[1] * g[1])) *
                     signed_measure<2>(parameters(quads_[patch.cell_ids[k]]));
-            edges += share * edge(quads_[patch.cell_ids[k]], 0, 0).norm() * edge(quads_[patch.cell_ids[k]], 0, 1).norm();
+            edges +=
+                share * edge(quads_[patch.cell_ids[k]], 0, 0).norm() * edge(quads_[patch.cell_ids[k]], 0, 1).norm();
         }
         frame.size = std::sqrt(area > 1e-9 * edges ? area : std::max(edges, 1e-300));
         const Eigen::Matrix2d root = metric_root(mean[0], mean[1], mean[2], 1e-24 * (mean[0] + mean[2]) + 1e-300);

@@ -7,8 +7,8 @@
 #include <pavior/core/index.hpp>
 #include <pavior/core/progress.hpp>
 #include <pavior/smooth/detail/cell_shape.hpp>
-#include <pavior/smooth/options.hpp>
 #include <pavior/smooth/detail/patch.hpp>
+#include <pavior/smooth/options.hpp>
 #include <pavior/smooth/report.hpp>
 
 #include <Eigen/Core>
@@ -43,7 +43,6 @@ concept smoothing_model = requires(M& m, Index c, const Patch<D>& patch) {
     { m.concurrent() } -> std::convertible_to<bool>;
 };
 
-
 template <int D>
 void check_cells(std::span<const CellCorners<D>> cells, std::size_t node_count, std::size_t fixed_count) {
     if (fixed_count != node_count) {
@@ -77,7 +76,13 @@ class Untangler {
 public:
     Untangler(Model& model, std::span<const CellCorners<D>> cells, std::span<const std::uint8_t> fixed,
               const UntangleOptions& options)
-        : model_(model), options_(options), cells_(cells), fixed_(fixed), quality_(cells.size()), moved_(fixed.size(), 0), seed_at_(cells.size(), 0) {}
+        : model_(model),
+          options_(options),
+          cells_(cells),
+          fixed_(fixed),
+          quality_(cells.size()),
+          moved_(fixed.size(), 0),
+          seed_at_(cells.size(), 0) {}
 
     SmoothReport run() {
         scan();
@@ -153,7 +158,8 @@ private:
             }
         }
         const double total = static_cast<double>(seeds.size());
-        for (int rings = options_.local ? 1 : all_rings; !seeds.empty(); rings = rings < all_rings ? 2 * rings : rings) {
+        for (int rings = options_.local ? 1 : all_rings; !seeds.empty();
+             rings = rings < all_rings ? 2 * rings : rings) {
             report(options_.progress, "untangle", 1.0 - static_cast<double>(seeds.size()) / total);
             seeds = repair_round(finder, seeds, rings);
         }
