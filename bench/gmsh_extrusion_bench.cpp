@@ -63,8 +63,8 @@ SweepProblem problem_of_surface(std::size_t layers) {
     std::vector<std::size_t> corners;
     gmsh::model::mesh::getElementsByType(3, elements, corners, 1);
     for (std::size_t q = 0; q < elements.size(); ++q) {
-        source.quads.push_back({id.at(corners[4 * q]), id.at(corners[4 * q + 1]), id.at(corners[4 * q + 2]),
-                                id.at(corners[4 * q + 3])});
+        source.quads.push_back(
+            {id.at(corners[4 * q]), id.at(corners[4 * q + 1]), id.at(corners[4 * q + 2]), id.at(corners[4 * q + 3])});
     }
     const auto raised = [](Vec3 x, double z) { return Vec3(x[0], x[1], x[2] + z); };
     std::vector<Vec3> target;
@@ -103,12 +103,12 @@ void gmsh_extrusion(benchmark::State& state) {
         for (int repeat = 0; repeat < 5; ++repeat) {
             std::size_t ours = 0;
             swept = std::min(swept, seconds([&] {
-                const SweepResult result = sweep(problem);
-                std::vector<HexCorners> hexes(result.mesh.hex_count());
-                result.mesh.hexes(hexes);
-                benchmark::DoNotOptimize(hexes.data());
-                ours = hexes.size();
-            }));
+                                 const SweepResult result = sweep(problem);
+                                 std::vector<HexCorners> hexes(result.mesh.hex_count());
+                                 result.mesh.hexes(hexes);
+                                 benchmark::DoNotOptimize(hexes.data());
+                                 ours = hexes.size();
+                             }));
             if (ours != hexahedra) {
                 state.SkipWithError("the two meshes differ");
             }

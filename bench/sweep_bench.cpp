@@ -138,15 +138,15 @@ void node_kernel(benchmark::State& state) {
     for (auto _ : state) {
         raw = std::min(raw, thread_seconds([&] { fill(first, 3 * n * levels); }));
         kernel = std::min(kernel, thread_seconds([&] {
-            constexpr std::size_t block = 1024;
-            for (std::size_t i = 0; i < n; i += block) {
-                for (std::size_t k = 0; k < levels; ++k) {
-                    apply_level(operators[k], caps.rows(), nullptr, 0, i, std::min(n, i + block), first + 3 * (k * n + i),
-                                options);
-                }
-            }
-            finish_streaming();
-        }));
+                              constexpr std::size_t block = 1024;
+                              for (std::size_t i = 0; i < n; i += block) {
+                                  for (std::size_t k = 0; k < levels; ++k) {
+                                      apply_level(operators[k], caps.rows(), nullptr, 0, i, std::min(n, i + block),
+                                                  first + 3 * (k * n + i), options);
+                                  }
+                              }
+                              finish_streaming();
+                          }));
     }
     const double bytes = static_cast<double>(n * levels * sizeof(Vec3));
     state.counters["raw_GB/s"] = bytes / raw * 1e-9;
@@ -202,12 +202,14 @@ void foreign_mesh(benchmark::State& state) {
     double foreign = raw;
     for (auto _ : state) {
         raw = std::min(raw, thread_seconds([&] {
-            benchmark::DoNotOptimize(sweep(arrays, problem.target_nodes, problem.loops, levels).mesh.nodes().data());
-        }));
-        foreign = std::min(foreign, thread_seconds([&] {
-            benchmark::DoNotOptimize(
-                sweep(EigenQuadMesh{V, F}, EigenQuadMesh{T, F}, problem.loops, levels).mesh.nodes().data());
-        }));
+                           benchmark::DoNotOptimize(
+                               sweep(arrays, problem.target_nodes, problem.loops, levels).mesh.nodes().data());
+                       }));
+        foreign = std::min(
+            foreign, thread_seconds([&] {
+                benchmark::DoNotOptimize(
+                    sweep(EigenQuadMesh{V, F}, EigenQuadMesh{T, F}, problem.loops, levels).mesh.nodes().data());
+            }));
     }
     state.counters["of_raw_arrays"] = foreign / raw;
 }

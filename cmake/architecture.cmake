@@ -13,7 +13,7 @@ set(may_include_io core math mesh affine smooth sweep model)
 # Sources: src/<room> includes what the public room includes, that room, and these folders of src.
 set(source_rooms common math cad io cli)
 set(may_include_src_common core)
-set(may_include_src_math core math)
+set(may_include_src_math core math mesh affine) # the affine fits that are compiled once
 set(may_include_src_cad ${may_include_cad} cad src_common)
 set(may_include_src_io ${may_include_io} io src_common)
 set(may_include_src_cli ${rooms})

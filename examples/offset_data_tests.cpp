@@ -21,11 +21,11 @@ const double pi = std::acos(-1.0);
 
 struct Test {
     std::string name;
-    Index cells;           // N
-    std::size_t layers;    // r
-    double c0, cr;         // curvature of the loops: z = c x^2
-    double angle0, angler; // degrees between the two edges at the middle node of each cap
-    bool circular;         // a circular path of radius 3 through 120 degrees, planar loops, caps that bulge outwards
+    Index cells;            // N
+    std::size_t layers;     // r
+    double c0, cr;          // curvature of the loops: z = c x^2
+    double angle0, angler;  // degrees between the two edges at the middle node of each cap
+    bool circular;          // a circular path of radius 3 through 120 degrees, planar loops, caps that bulge outwards
 };
 
 // Height of the bump that gives the wanted angle at the middle node.
@@ -126,8 +126,9 @@ int main() {
                           {"flipping", 10, 12, -0.025, 0.15, 169.5, 163.5, false},
                           {"offset scaling", 10, 12, -0.02, -0.24, 166, 160, false},
                           {"skewing", 6, 16, 0, 0, 0, 0, true}};
-    std::printf("test            map          min    max    mean   std     middle node along the sweep: angle"
-                " (skewing: distance)\n");
+    std::printf(
+        "test            map          min    max    mean   std     middle node along the sweep: angle"
+        " (skewing: distance)\n");
     for (const Test& test : tests) {
         for (const auto method : {AffineMethod::f, AffineMethod::g, AffineMethod::h, AffineMethod::constrained}) {
             run(test, method);

@@ -110,8 +110,8 @@ for data, left, right in ((volume, 0.0, 0.5), (cut.GetOutput(), 0.5, 1.0)):
         bar.SetTitle("scaled Jacobian")
         bar.SetNumberOfLabels(5)
         bar.SetMaximumWidthInPixels(70)
-        bar.SetMaximumHeightInPixels(height // 2)
-        bar.SetPosition(0.86, 0.05)
+        bar.SetMaximumHeightInPixels(height // 3)
+        bar.SetPosition(0.88, 0.03)
         for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
             text.SetColor(0.1, 0.1, 0.1)
             text.ShadowOff()
@@ -124,7 +124,7 @@ for data, left, right in ((volume, 0.0, 0.5), (cut.GetOutput(), 0.5, 1.0)):
     camera.SetViewUp(0, 0, 1)
     bounds = volume.GetBounds()
     renderer.ResetCamera(bounds)
-    camera.Zoom(1.15)
+    camera.Zoom(1.0 if args.groups else 0.95)
 
 window.Render()
 image = vtkWindowToImageFilter()

@@ -54,15 +54,16 @@ void print_histogram(std::ostream& out, const NamedMetric& metric) {
         const double step = (s.high - s.low) / static_cast<double>(s.histogram.size());
         const double low = s.low + step * static_cast<double>(bin);
         const std::size_t count = s.histogram[bin];
-        const std::size_t bar = count == 0 ? 0 : std::max<std::size_t>(1, count * width / std::max<std::size_t>(most, 1));
+        const std::size_t bar =
+            count == 0 ? 0 : std::max<std::size_t>(1, count * width / std::max<std::size_t>(most, 1));
         out << "  " << std::fixed << std::setprecision(2) << std::setw(5) << low << " .. " << std::setw(5) << low + step
             << std::setw(10) << count << "  " << std::string(bar, '#') << "\n";
     }
 }
 
 Json to_json(const Statistics& s) {
-    return {{"min", s.min},         {"max", s.max},   {"mean", s.mean}, {"stddev", s.stddev},
-            {"worst_hex", s.worst}, {"low", s.low},   {"high", s.high}, {"histogram", s.histogram}};
+    return {{"min", s.min},         {"max", s.max}, {"mean", s.mean}, {"stddev", s.stddev},
+            {"worst_hex", s.worst}, {"low", s.low}, {"high", s.high}, {"histogram", s.histogram}};
 }
 
 }  // namespace
@@ -89,8 +90,10 @@ void print_check(std::ostream& out, const HexMeshData& data, const MeshCheck& ch
         text << "faults:\n" << check.verify.text() << "\n";
     }
     if (check.quality.f_shape.count > 0) {
-        text << "\n" << std::left << std::setw(28) << "metric" << std::right << std::setw(10) << "min" << std::setw(10)
-             << "mean" << std::setw(10) << "max" << std::setw(10) << "stddev" << "  worst hexahedron\n";
+        text << "\n"
+             << std::left << std::setw(28) << "metric" << std::right << std::setw(10) << "min" << std::setw(10)
+             << "mean" << std::setw(10) << "max" << std::setw(10) << "stddev"
+             << "  worst hexahedron\n";
         for (const NamedMetric& metric : metrics(check.quality)) {
             const Statistics& s = *metric.statistics;
             text << std::left << std::setw(28) << metric.title << std::right << std::fixed << std::setprecision(4)

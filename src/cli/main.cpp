@@ -83,8 +83,9 @@ void add_sweep(CLI::App& app, SweepCommand& command, std::vector<std::string>& l
 }
 
 ExitCode run(int argc, char** argv) {
-    CLI::App app("pavior fills solids with hexahedra.\n"
-                 "Exit codes: 0 valid mesh; 1 mesh made but not valid; 2 bad input or options; 3 not meshable");
+    CLI::App app(
+        "pavior fills solids with hexahedra.\n"
+        "Exit codes: 0 valid mesh; 1 mesh made but not valid; 2 bad input or options; 3 not meshable");
     app.require_subcommand(1);
     SweepCommand sweep;
     std::vector<std::string> local_sizes;

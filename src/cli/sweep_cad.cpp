@@ -19,7 +19,8 @@ using Json = nlohmann::json;
 FaceId face_with_tag(const GmshBrep& model, int tag, const std::string& option) {
     const auto index = model.find(2, tag);
     if (!index) {
-        throw InputError(ErrorCode::bad_option, option + " " + std::to_string(tag) + ": the model has no such face", {tag});
+        throw InputError(ErrorCode::bad_option, option + " " + std::to_string(tag) + ": the model has no such face",
+                         {tag});
     }
     return FaceId{static_cast<std::int32_t>(*index)};
 }

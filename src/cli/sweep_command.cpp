@@ -32,8 +32,8 @@ void check_options(const SweepCommand& command, bool problem) {
             throw InputError(ErrorCode::bad_option, message);
         }
     };
-    const bool sizes = command.size > 0 || !command.edge_size.empty() || !command.face_size.empty() ||
-                       !command.solid_size.empty();
+    const bool sizes =
+        command.size > 0 || !command.edge_size.empty() || !command.face_size.empty() || !command.solid_size.empty();
     refuse(problem && (sizes || command.layers || command.source || command.target),
            "sizes, --layers, --source and --target do not go with a sweep problem: its boundary is given");
 }
@@ -66,7 +66,8 @@ ExitCode finish(const SweepCommand& command, Swept& swept, double seconds) {
         std::cerr << "pavior: warning: " << warning << "\n";
     }
     if (!check.valid()) {
-        std::cerr << "pavior: the mesh is not valid:\n" << check.verify.text() << "\n"
+        std::cerr << "pavior: the mesh is not valid:\n"
+                  << check.verify.text() << "\n"
                   << (written ? "it was written because of --keep-invalid\n" : "nothing was written\n");
         return exit_invalid;
     }

@@ -4,9 +4,9 @@
 #include <pavior/core/error.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cctype>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -142,8 +142,8 @@ private:
             }
         }
         if (values.size() != count || !text.eof()) {
-            throw FileError(file_, "line " + std::to_string(line_number_) + ": " + std::to_string(count) +
-                                       " numbers expected");
+            throw FileError(
+                file_, "line " + std::to_string(line_number_) + ": " + std::to_string(count) + " numbers expected");
         }
         return values;
     }
@@ -161,8 +161,8 @@ private:
     Index node_at(double value) const {
         const auto tag = static_cast<std::size_t>(value);
         if (tag >= position_.size() || position_[tag] < 0) {
-            throw FileError(file_, "line " + std::to_string(line_number_) + ": node " + std::to_string(tag) +
-                                       " does not exist");
+            throw FileError(
+                file_, "line " + std::to_string(line_number_) + ": node " + std::to_string(tag) + " does not exist");
         }
         return static_cast<Index>(position_[tag]);
     }
@@ -214,8 +214,6 @@ void write_abaqus(const std::string& file, const HexMeshData& data) {
     }
 }
 
-HexMeshData read_abaqus(const std::string& file) {
-    return Reader(file).read();
-}
+HexMeshData read_abaqus(const std::string& file) { return Reader(file).read(); }
 
 }  // namespace pavior::io

@@ -18,12 +18,11 @@ void write_abaqus(const std::string& file, const HexMeshData& data);
 HexMeshData read_abaqus(const std::string& file);
 
 /// Group of cell i; 0 where the array is empty.
-inline int group_of(const std::vector<std::int32_t>& groups, std::size_t i) {
-    return groups.empty() ? 0 : groups[i];
-}
+inline int group_of(const std::vector<std::int32_t>& groups, std::size_t i) { return groups.empty() ? 0 : groups[i]; }
 
 /// Cells of each group number, ascending.
-inline std::map<int, std::vector<std::size_t>> cells_by_group(std::size_t count, const std::vector<std::int32_t>& groups) {
+inline std::map<int, std::vector<std::size_t>> cells_by_group(std::size_t count,
+                                                              const std::vector<std::int32_t>& groups) {
     std::map<int, std::vector<std::size_t>> result;
     for (std::size_t i = 0; i < count; ++i) {
         result[group_of(groups, i)].push_back(i);

@@ -119,8 +119,8 @@ void refuse_other_volumes(const std::string& file) {
     gmsh::model::mesh::getElementTypes(types, 3);
     for (const int type : types) {
         if (type != gmsh_hex) {
-            throw FileError(file, "holds volume elements of Gmsh type " + std::to_string(type) +
-                                      ", not only linear hexahedra");
+            throw FileError(
+                file, "holds volume elements of Gmsh type " + std::to_string(type) + ", not only linear hexahedra");
         }
     }
 }

@@ -34,7 +34,8 @@ void check_ids(const std::string& file, const HexMeshData& data) {
         for (std::size_t i = 0; i < cells.size(); ++i) {
             for (const Index node : cells[i]) {
                 if (node >= data.mesh.nodes.size()) {
-                    throw FileError(file, std::string(kind) + " " + std::to_string(i) + " names a node that does not exist",
+                    throw FileError(file,
+                                    std::string(kind) + " " + std::to_string(i) + " names a node that does not exist",
                                     {static_cast<std::int64_t>(i)});
                 }
             }

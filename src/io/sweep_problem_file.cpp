@@ -138,7 +138,15 @@ SweepProblem read_sweep_problem(const std::string& file) {
     const QuadMesh source{read("source_nodes", points), read("quads", quads)};
     const std::vector<Vec3> target = read("target_nodes", points);
     const Loops given = json.contains("loops") ? read("loops", loops) : boundary_loops(source);
-    return make_sweep_problem(source, target, given, read("boundary_levels", levels));
+    const std::vector<std::vector<Vec3>> boundary = read("boundary_levels", levels);
+    if (json.contains("layers")) {
+        const double layers = read("layers", number);
+        if (layers + 1 != static_cast<double>(boundary.size())) {
+            throw InputError(ErrorCode::size_mismatch,
+                             "\"layers\" does not go with " + std::to_string(boundary.size()) + " boundary levels");
+        }
+    }
+    return make_sweep_problem(source, target, given, boundary);
 }
 
 }  // namespace pavior

@@ -133,8 +133,10 @@ void read_cells(const std::string& file, vtkUnstructuredGrid& grid, HexMeshData&
             data.quads.push_back({at(0), at(1), at(2), at(3)});
             data.quad_groups.push_back(group_at(i));
         } else if (type > VTK_QUAD) {
-            throw FileError(file, "cell " + std::to_string(i) + " is of VTK type " + std::to_string(type) +
-                                      ", not a linear hexahedron", {static_cast<std::int64_t>(i)});
+            throw FileError(
+                file,
+                "cell " + std::to_string(i) + " is of VTK type " + std::to_string(type) + ", not a linear hexahedron",
+                {static_cast<std::int64_t>(i)});
         }
     }
 }

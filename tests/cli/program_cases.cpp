@@ -52,13 +52,9 @@ Outcome run(const std::string& arguments) {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(out), content(err)};
 }
 
-std::string example(const std::string& name) {
-    return std::string(PAVIOR_EXAMPLE_DATA) + "/" + name;
-}
+std::string example(const std::string& name) { return std::string(PAVIOR_EXAMPLE_DATA) + "/" + name; }
 
-std::string test_case(const std::string& name) {
-    return std::string(PAVIOR_TEST_DATA) + "/" + name;
-}
+std::string test_case(const std::string& name) { return std::string(PAVIOR_TEST_DATA) + "/" + name; }
 
 }  // namespace
 
@@ -109,11 +105,14 @@ TEST_CASE("--layers, --source and --target are obeyed") {
     CHECK(json["solids"][0]["layers"] == 7);
     const std::string source = std::to_string(json["solids"][0]["source"].get<int>());
     const std::string target = std::to_string(json["solids"][0]["target"].get<int>());
-    REQUIRE(run("sweep " + example("mfcad/4-4-19.step") + common + " --source " + target + " --target " + source).code == 0);
+    REQUIRE(
+        run("sweep " + example("mfcad/4-4-19.step") + common + " --source " + target + " --target " + source).code ==
+        0);
     json = nlohmann::json::parse(content(report));
     CHECK(json["solids"][0]["source"] == std::stoi(target));
     CHECK(run("sweep " + example("mfcad/4-4-19.step") + common + " --source 999").code == 2);
-    CHECK(run("sweep " + example("mfcad/4-4-19.step") + common + " --source " + source + " --target " + source).code == 2);
+    CHECK(run("sweep " + example("mfcad/4-4-19.step") + common + " --source " + source + " --target " + source).code ==
+          2);
 }
 
 TEST_CASE("a solid that cannot be swept is refused with the reason, and nothing is written") {
@@ -128,9 +127,10 @@ TEST_CASE("a sweep problem in JSON gives the expected nodes") {
     const std::string input = test_case("sweep/s35_flattening.json");
     const auto json = nlohmann::json::parse(std::ifstream(input));
     const std::string mesh = scratch() / "problem.msh";
-    for (const auto& [options, strategy, key] :
-         {std::tuple{"", "direct", "HC_bec"}, {" --correction none --method f", "direct", "F"},
-          {" --strategy front --method h", "front", "H31_bec"}, {" --strategy front --method g --correction none", "front", "G"}}) {
+    for (const auto& [options, strategy, key] : {std::tuple{"", "direct", "HC_bec"},
+                                                 {" --correction none --method f", "direct", "F"},
+                                                 {" --strategy front --method h", "front", "H31_bec"},
+                                                 {" --strategy front --method g --correction none", "front", "G"}}) {
         CAPTURE(key);
         REQUIRE(run("sweep " + input + " -o " + mesh + " --smooth off" + options).code == 0);
         const HexMeshData data = read_mesh(mesh);
@@ -141,7 +141,8 @@ TEST_CASE("a sweep problem in JSON gives the expected nodes") {
             for (std::size_t j = 0; j < json["inner"].size(); ++j) {
                 const Vec3& x = data.mesh.nodes[k * n + json["inner"][j].get<std::size_t>()];
                 for (int c = 0; c < 3; ++c) {
-                    worst = std::max(worst, std::abs(x[c] - expected[k - 1][j][static_cast<std::size_t>(c)].get<double>()));
+                    worst =
+                        std::max(worst, std::abs(x[c] - expected[k - 1][j][static_cast<std::size_t>(c)].get<double>()));
                 }
             }
         }
@@ -196,18 +197,27 @@ TEST_CASE("bad options and files exit with 2 and say why") {
     std::ofstream(scratch() / "garbage.step") << "this is no STEP file";
     std::ofstream(scratch() / "empty.step");
     for (const std::string& arguments :
-         {std::string(), std::string("sweep"), std::string("no_such_command"), "sweep " + part,
-          "sweep " + part + " -o " + mesh + " --size 0", "sweep " + part + " -o " + mesh + " --size -1",
-          "sweep " + part + " -o " + mesh + " --size x", "sweep " + part + " -o " + mesh + " --method q",
-          "sweep " + part + " -o " + mesh + " --layers 0", "sweep " + part + " -o " + mesh + " --local-size edge:1",
-          "sweep " + part + " -o " + mesh + " --local-size edge:1=-2", "sweep " + part + " -o " + mesh + " --no-such",
+         {std::string(),
+          std::string("sweep"),
+          std::string("no_such_command"),
+          "sweep " + part,
+          "sweep " + part + " -o " + mesh + " --size 0",
+          "sweep " + part + " -o " + mesh + " --size -1",
+          "sweep " + part + " -o " + mesh + " --size x",
+          "sweep " + part + " -o " + mesh + " --method q",
+          "sweep " + part + " -o " + mesh + " --layers 0",
+          "sweep " + part + " -o " + mesh + " --local-size edge:1",
+          "sweep " + part + " -o " + mesh + " --local-size edge:1=-2",
+          "sweep " + part + " -o " + mesh + " --no-such",
           "sweep " + part + " -o " + (scratch() / "x.stl").string(),
           "sweep " + part + " -o " + (scratch() / "none" / "x.vtu").string() + " --size 4",
           "sweep " + (scratch() / "missing.step").string() + " -o " + mesh,
           "sweep " + (scratch() / "garbage.step").string() + " -o " + mesh,
-          "sweep " + (scratch() / "empty.step").string() + " -o " + mesh, "sweep " + scratch().string() + " -o " + mesh,
+          "sweep " + (scratch() / "empty.step").string() + " -o " + mesh,
+          "sweep " + scratch().string() + " -o " + mesh,
           "sweep " + test_case("sweep/h01_translation.json") + " -o " + mesh + " --size 1",
-          "quality " + (scratch() / "missing.vtu").string(), "quality " + part}) {
+          "quality " + (scratch() / "missing.vtu").string(),
+          "quality " + part}) {
         CAPTURE(arguments);
         const Outcome outcome = run(arguments);
         CHECK(outcome.code == 2);

@@ -30,6 +30,4 @@ std::size_t faces(const B& model) {
     return model.face_count();
 }
 
-std::size_t count(const Model& model) {
-    return faces(model);
-}
+std::size_t count(const Model& model) { return faces(model); }

@@ -4,9 +4,7 @@
 using EdgeId = pavior::Id<struct EdgeTag>;
 using FaceId = pavior::Id<struct FaceTag>;
 
-std::size_t slot(FaceId face) {
-    return face.index();
-}
+std::size_t slot(FaceId face) { return face.index(); }
 
 std::size_t first() {
 #ifdef MISUSE

@@ -24,6 +24,4 @@ struct pavior::mesh_access<Cells> {
     static const std::array<Corner, 4>& quad(const Cells& m, Index q) { return m.cells[q]; }
 };
 
-pavior::QuadCorners first(const Cells& mesh) {
-    return pavior::quad(mesh, 0);
-}
+pavior::QuadCorners first(const Cells& mesh) { return pavior::quad(mesh, 0); }

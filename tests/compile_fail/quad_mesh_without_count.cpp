@@ -19,6 +19,4 @@ struct pavior::mesh_access<Cloud> {
     static const std::array<int, 4>& quad(const Cloud& m, Index q) { return m.cells[q]; }
 };
 
-std::size_t count(const Cloud& cloud) {
-    return pavior::quad_count(cloud);
-}
+std::size_t count(const Cloud& cloud) { return pavior::quad_count(cloud); }

@@ -2,10 +2,10 @@
 
 #include <pavior/core/assert.hpp>
 
-#include <csignal>
-#include <cstdio>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <csignal>
+#include <cstdio>
 
 namespace {
 // The signal that ends a process in which the assertion is made, 0 if it survives.

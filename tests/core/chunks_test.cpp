@@ -10,9 +10,8 @@ using Pieces = std::vector<std::pair<std::size_t, std::size_t>>;
 
 TEST_CASE("the pieces depend on the grain alone and come in order") {
     for (const unsigned threads : {1U, 2U, 5U}) {
-        const auto pieces = pavior::map_chunks({threads}, 10, 4, [](std::size_t begin, std::size_t end) {
-            return std::pair(begin, end);
-        });
+        const auto pieces = pavior::map_chunks(
+            {threads}, 10, 4, [](std::size_t begin, std::size_t end) { return std::pair(begin, end); });
         CHECK(pieces == Pieces{{0, 4}, {4, 8}, {8, 10}});
     }
     CHECK(pavior::map_chunks({2}, 0, 4, [](std::size_t, std::size_t) { return 1; }).empty());

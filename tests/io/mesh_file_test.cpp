@@ -3,10 +3,10 @@
 #include <pavior/core/error.hpp>
 #include <pavior/io/mesh_file.hpp>
 
+#include <unistd.h>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <unistd.h>
 #include <fstream>
 
 using namespace pavior;

@@ -58,4 +58,6 @@ TEST_CASE("what is wrong with the file is said") {
     CHECK_THROWS_WITH(read_sweep_problem(with("[0,0,0]", "[0,0,\"x\"]")), Catch::Contains("source_nodes"));
     CHECK_THROWS_WITH(read_sweep_problem(with("[[0,1,2,3]], \"", "[[0,1.5,2,3]], \"")), Catch::Contains("quads"));
     CHECK_THROWS_AS(read_sweep_problem(with("\"loops\": [[0,1,2,3]]", "\"loops\": [[0,1,2]]")), InputError);
+    CHECK(read_sweep_problem(with("\"name\"", "\"layers\": 1, \"name\"")).layers == 1);
+    CHECK_THROWS_AS(read_sweep_problem(with("\"name\"", "\"layers\": 2, \"name\"")), InputError);
 }

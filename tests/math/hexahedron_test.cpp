@@ -26,9 +26,8 @@ HexPoints mapped(HexPoints x, Map&& map) {
 
 HexPoints perturbed(double amplitude, std::mt19937& generator) {
     std::uniform_real_distribution<double> noise(-amplitude, amplitude);
-    return mapped(cube, [&](const Vec3& p) {
-        return Vec3(p + Vec3(noise(generator), noise(generator), noise(generator)));
-    });
+    return mapped(cube,
+                  [&](const Vec3& p) { return Vec3(p + Vec3(noise(generator), noise(generator), noise(generator))); });
 }
 
 // Trilinear interpolation, written out.

@@ -10,8 +10,8 @@
 using namespace pavior;
 
 TEST_CASE("one hexahedron") {
-    const std::vector<QuadCorners> wanted{{0, 2, 3, 1}, {0, 1, 5, 4}, {0, 4, 6, 2}, {1, 3, 7, 5}, {2, 6, 7, 3},
-                                          {4, 5, 7, 6}};
+    const std::vector<QuadCorners> wanted{{0, 2, 3, 1}, {0, 1, 5, 4}, {0, 4, 6, 2},
+                                          {1, 3, 7, 5}, {2, 6, 7, 3}, {4, 5, 7, 6}};
     CHECK(boundary_quads(shapes::hex_box(1, 1, 1)) == wanted);
     CHECK(boundary_quads(archetype::Hexes(shapes::hex_box(1, 1, 1))) == wanted);
     CHECK(boundary_quads(HexMesh{}).empty());

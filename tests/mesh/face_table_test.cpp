@@ -14,9 +14,8 @@ template <hex_mesh M>
 std::vector<std::size_t> uses(const M& mesh, std::span<const char> skip = {}) {
     std::vector<std::size_t> counts(4, 0);
     const FaceTable table(mesh, skip);
-    table.for_each(mesh, 0, table.node_count(), [&](Index, std::span<const FaceTable::Use> faces) {
-        ++counts[faces.size()];
-    });
+    table.for_each(mesh, 0, table.node_count(),
+                   [&](Index, std::span<const FaceTable::Use> faces) { ++counts[faces.size()]; });
     return counts;
 }
 }  // namespace

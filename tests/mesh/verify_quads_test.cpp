@@ -40,15 +40,12 @@ TEST_CASE("sound meshes") {
     CHECK(verify_quads(shapes::annulus(7, 2)).ok());
     CHECK(verify_quads(shapes::l_shape(3)).ok());
     CHECK(verify_quads(archetype::Quads(shapes::random_cap(5, 5, 0.2, 1))).ok());
-    const auto cube =
-        on_nodes(8, {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
+    const auto cube = on_nodes(8, {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
     CHECK(verify_quads(cube).ok());
     CHECK(verify_quads(cube).boundary_edges == 0);
 }
 
-TEST_CASE("no quads") {
-    check_only(verify_quads(QuadMesh{}), MeshFault::empty, 1, {}, ErrorCode::empty_input);
-}
+TEST_CASE("no quads") { check_only(verify_quads(QuadMesh{}), MeshFault::empty, 1, {}, ErrorCode::empty_input); }
 
 TEST_CASE("coordinates that are not finite") {
     QuadMesh mesh = shapes::grid_cap(2, 2);

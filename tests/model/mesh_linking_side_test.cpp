@@ -37,7 +37,8 @@ TEST_CASE("a linking side is a structured mesh on its face, oriented as the face
                 CHECK((b.face_point(side.face, face.uv[i]) - mesh.nodes[face.nodes[i]]).norm() < 1e-12);
             }
             const double radius = side.outward ? 1.0 : 0.5;  // the inner wall's own normal points away from the axis
-            CHECK(cone_volume(mesh, face) == Approx(0.5 * 6 * radius * radius * std::sin(std::numbers::pi / 3) * 2 * 2 / 3));
+            CHECK(cone_volume(mesh, face) ==
+                  Approx(0.5 * 6 * radius * radius * std::sin(std::numbers::pi / 3) * 2 * 2 / 3));
         }
     }
     CHECK(mesh.nodes.size() == 4 + 4 * 5 + 2 * 5 + 2 * 25);

@@ -75,7 +75,8 @@ struct SShape : test::TestBrep {
             return {r == w ? 0.0 : 1.0, t};
         }
         const Vec3 x = edge_point(e, t);
-        const double v = std::abs((x - rib_point(w, 0)).norm() + (x - rib_point((w + 1) % 4, 0)).norm() - 1) < 1e-9 ? 0 : 2;
+        const double v =
+            std::abs((x - rib_point(w, 0)).norm() + (x - rib_point((w + 1) % 4, 0)).norm() - 1) < 1e-9 ? 0 : 2;
         return {(x - rib_point(w, v)).norm(), v};
     }
     [[nodiscard]] Vec2 closest_on_face(FaceId f, const Vec3& x) const { return TestBrep::closest_on_face(f, x); }

@@ -43,7 +43,8 @@ TEST_CASE("levels go up the linking sides, one above the other") {
             for (std::size_t i = 0; i < 12; ++i) {
                 const Vec3& low = m.mesh.nodes[levels.level(0)[i]];
                 const Vec3& x = m.mesh.nodes[levels.level(k)[i]];
-                CHECK((x - low - Vec3(0, 0, static_cast<double>(k) / static_cast<double>(levels.layers))).norm() < 1e-14);
+                CHECK((x - low - Vec3(0, 0, static_cast<double>(k) / static_cast<double>(levels.layers))).norm() <
+                      1e-14);
             }
         }
     }
@@ -54,8 +55,8 @@ TEST_CASE("a side can be read from all ways to look at it") {
     const LinkingSide& side = m.sweep.loops[0][0];
     const std::vector<Index> ids = side_ids(m.b, m.mesh, side);
     REQUIRE(ids.size() == 9);
-    const LinkingSide upside_down{side.face, side.outward, reversed(side.top), reversed(side.left),
-                                  reversed(side.bottom), reversed(side.right)};
+    const LinkingSide upside_down{side.face,           side.outward,          reversed(side.top),
+                                  reversed(side.left), reversed(side.bottom), reversed(side.right)};
     const std::vector<Index> back = side_ids(m.b, m.mesh, upside_down);
     CHECK(std::vector<Index>(ids.rbegin(), ids.rend()) == back);
     const LinkingSide lying{side.face, side.outward, side.left, side.top, side.right, side.bottom};

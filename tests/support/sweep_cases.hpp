@@ -73,8 +73,8 @@ struct SweepCase {
 
 // Names of all cases of kind "sweep".
 [[nodiscard]] inline std::vector<std::string> sweep_case_names() {
-    return {"h01_translation", "h05_one_hole",   "h07_nonparallel_caps", "h20_cad_noise",
-            "s35_flattening",  "s35_flipping",   "s35_offset_scaling",   "s35_skewing"};
+    return {"h01_translation", "h05_one_hole", "h07_nonparallel_caps", "h20_cad_noise",
+            "s35_flattening",  "s35_flipping", "s35_offset_scaling",   "s35_skewing"};
 }
 
 // Largest distance between the inner nodes of levels 1 .. r - 1 and the expected ones.

@@ -24,8 +24,10 @@ inline Place twisted() {
     return [](double x, double y, double t) {
         const double angle = 0.7 * t;
         const double size = 1.0 - 0.3 * t;
-        const Vec3 flat(size * (std::cos(angle) * x - std::sin(angle) * y), size * (std::sin(angle) * x + std::cos(angle) * y), 0);
-        return Vec3(Eigen::AngleAxisd(0.5 * t, Vec3(1, 0.3, 0).normalized()) * flat + Vec3(0.4 * t * t, 0.2 * t, 3 * t));
+        const Vec3 flat(size * (std::cos(angle) * x - std::sin(angle) * y),
+                        size * (std::sin(angle) * x + std::cos(angle) * y), 0);
+        return Vec3(Eigen::AngleAxisd(0.5 * t, Vec3(1, 0.3, 0).normalized()) * flat +
+                    Vec3(0.4 * t * t, 0.2 * t, 3 * t));
     };
 }
 // Square to a curved, unsymmetric section that leaves its plane: not affine.
@@ -37,8 +39,8 @@ inline Place warped() {
 }
 
 struct GridOptions {
-    Index cells = 6;    // per side
-    Index hole = 0;     // cells per side of a hole in the middle
+    Index cells = 6;  // per side
+    Index hole = 0;   // cells per side of a hole in the middle
     std::size_t layers = 4;
     double bump = 0.3;  // offset of the middle of the caps
 };
@@ -87,7 +89,8 @@ inline SweepProblem grid_problem(const Place& place, const GridOptions& options 
     std::vector<std::vector<Vec3>> levels(options.layers + 1);
     for (std::size_t k = 0; k <= options.layers; ++k) {
         for (const Index i : loops.nodes) {
-            levels[k].push_back(place(plane.nodes[i][0], plane.nodes[i][1], static_cast<double>(k) / static_cast<double>(options.layers)));
+            levels[k].push_back(place(plane.nodes[i][0], plane.nodes[i][1],
+                                      static_cast<double>(k) / static_cast<double>(options.layers)));
         }
     }
     const QuadMesh source{cap(0, -options.bump), plane.quads};

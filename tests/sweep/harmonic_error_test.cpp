@@ -23,8 +23,8 @@ HarmonicError operator_of(const SweepProblem& p) { return {p.source_nodes, p.qua
 }  // namespace
 
 TEST_CASE("linear and hyperbolic functions are harmonic on rectangular grids of uneven spacing") {
-    const SweepProblem p = grid_problem([](double x, double y, double t) { return Vec3(std::exp(x), 3 * y + y * y * y, t); },
-                                        {.cells = 8, .bump = 0});
+    const SweepProblem p = grid_problem(
+        [](double x, double y, double t) { return Vec3(std::exp(x), 3 * y + y * y * y, t); }, {.cells = 8, .bump = 0});
     const std::function<double(const Vec3&)> functions[] = {[](const Vec3& x) { return 2 * x[0] - x[1] + 1; },
                                                             [](const Vec3& x) { return x[0] * x[1]; }};
     for (const auto& f : functions) {

@@ -80,10 +80,12 @@ TEST_CASE("one level, the stream and the array are the same bytes for any number
         const std::vector<Vec3> nodes = all(layers);
         CHECK(same_bytes(all(layers, {3}), nodes));
         std::size_t next = 0;
-        layers.for_each_level([&](std::size_t k, std::span<const Vec3> level) {
-            CHECK(k == next++);
-            CHECK(same_bytes(level, std::span(nodes).subspan(k * n, n)));
-        }, {2});
+        layers.for_each_level(
+            [&](std::size_t k, std::span<const Vec3> level) {
+                CHECK(k == next++);
+                CHECK(same_bytes(level, std::span(nodes).subspan(k * n, n)));
+            },
+            {2});
         CHECK(next == 71);
         std::vector<Vec3> level(n);
         for (const std::size_t k : {69U, 0U, 33U, 70U, 1U}) {
@@ -140,9 +142,10 @@ TEST_CASE("wrong arguments are refused, progress ends at 1") {
     CHECK_THROWS_AS(layers.level(1, level), InputError);
     CHECK_THROWS_AS(layers.all_levels(level), InputError);
     double done = 0;
-    layers.for_each_level([](std::size_t, std::span<const Vec3>) {}, {}, [&](std::string_view, double fraction) {
-        CHECK(fraction >= done);
-        done = fraction;
-    });
+    layers.for_each_level([](std::size_t, std::span<const Vec3>) {}, {},
+                          [&](std::string_view, double fraction) {
+                              CHECK(fraction >= done);
+                              done = fraction;
+                          });
     CHECK(done == 1);
 }

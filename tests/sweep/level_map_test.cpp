@@ -29,9 +29,7 @@ TEST_CASE("strategies have names") {
     CHECK(to_string(SweepStrategy::front) == "front");
 }
 
-TEST_CASE("one layer has no inner levels") {
-    CHECK(make_level_maps(grid_problem(straight(), {.layers = 1})).empty());
-}
+TEST_CASE("one layer has no inner levels") { CHECK(make_level_maps(grid_problem(straight(), {.layers = 1})).empty()); }
 
 TEST_CASE("direct maps are the fits from the caps, blended by k / r") {
     const SweepProblem p = grid_problem(warped(), {.layers = 5});

@@ -288,7 +288,8 @@ TEST_CASE("extreme scales give the same shape") {
     for_all_options([&](const SweepOptions& options) {
         const std::vector<Vec3> nodes = nodes_of(p, options);
         for (const double scale : {0x1p-600, 0x1p600}) {
-            const std::vector<Vec3> scaled = nodes_of(moved(p, [=](const Vec3& x) { return Vec3(x * scale); }), options);
+            const std::vector<Vec3> scaled =
+                nodes_of(moved(p, [=](const Vec3& x) { return Vec3(x * scale); }), options);
             CHECK(gap(scaled, nodes, [=](const Vec3& x) { return Vec3(x / scale); }) < 1e-12);
         }
     });

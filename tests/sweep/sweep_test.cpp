@@ -55,7 +55,8 @@ TEST_CASE("where the answer is known in closed form, it comes out") {
             continue;
         }
         for (const auto strategy : {SweepStrategy::direct, SweepStrategy::front}) {
-            for (const auto correction : {BoundaryCorrection::none, BoundaryCorrection::idw, BoundaryCorrection::harmonic}) {
+            for (const auto correction :
+                 {BoundaryCorrection::none, BoundaryCorrection::idw, BoundaryCorrection::harmonic}) {
                 SweepOptions options;
                 options.strategy = strategy;
                 options.correction = correction;
@@ -133,7 +134,8 @@ TEST_CASE("the four tests of section 3.5") {
 }
 
 TEST_CASE("every bad problem is refused with the right code") {
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(PAVIOR_TEST_DATA) / "sweep-bad")) {
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(PAVIOR_TEST_DATA) / "sweep-bad")) {
         const nlohmann::json json = read_json(entry.path());
         INFO(entry.path().filename().string());
         std::string answer = "ok";
@@ -168,7 +170,8 @@ TEST_CASE("coordinates of 1e200 are swept right") {
 
 TEST_CASE("foreign meshes give the same bytes as arrays") {
     // Float coordinates, so that the archetype can hold them.
-    SweepProblem problem = moved(grid_problem(warped()), [](const Vec3& x) { return Vec3(x.cast<float>().cast<double>()); });
+    SweepProblem problem =
+        moved(grid_problem(warped()), [](const Vec3& x) { return Vec3(x.cast<float>().cast<double>()); });
     const std::size_t n = problem.level_size();
     const SweepResult raw = sweep(problem);
     const LevelArray<> levels{problem.boundary_levels, problem.loops.nodes.size()};

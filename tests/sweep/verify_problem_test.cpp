@@ -186,7 +186,7 @@ TEST_CASE("loops that are not the boundary") {
     CHECK(expect(problem).ids == Error::Ids{8});
 }
 
-TEST_CASE("a closed sheet of quads beside the cap has no boundary to sweep")  {
+TEST_CASE("a closed sheet of quads beside the cap has no boundary to sweep") {
     SweepProblem problem = good();
     const auto first = static_cast<Index>(problem.source_nodes.size());
     for (int i = 0; i < 8; ++i) {
@@ -230,7 +230,8 @@ TEST_CASE("boundary nodes away from their levels") {
 TEST_CASE("levels without a plane or without an area") {
     const auto on_a_line = [](const Vec3& x) { return Vec3(x[0], 2 * x[0], 3 * x[0]); };
     const auto in_a_point = [](const Vec3&) { return Vec3(1, 2, 3); };
-    for (const auto& move : {std::function<Vec3(const Vec3&)>(on_a_line), std::function<Vec3(const Vec3&)>(in_a_point)}) {
+    for (const auto& move :
+         {std::function<Vec3(const Vec3&)>(on_a_line), std::function<Vec3(const Vec3&)>(in_a_point)}) {
         SweepProblem problem = good();
         set_level(problem, 2, move);
         CHECK(finding(problem).code == ErrorCode::target_degenerate);
@@ -256,10 +257,13 @@ TEST_CASE("neighbouring levels with opposite normals") {
     CHECK(finding(problem).code == ErrorCode::orientation_reversed);
     CHECK(finding(problem).ids == Error::Ids{1, 2});
     // A half turn in small steps is a sweep.
-    CHECK(verify_problem(grid_problem([](double x, double y, double t) {
-              const double angle = 4.0 * t;
-              return Vec3((3 + x) * std::cos(angle), y, (3 + x) * std::sin(angle));
-          }, {.layers = 8})).empty());
+    CHECK(verify_problem(grid_problem(
+                             [](double x, double y, double t) {
+                                 const double angle = 4.0 * t;
+                                 return Vec3((3 + x) * std::cos(angle), y, (3 + x) * std::sin(angle));
+                             },
+                             {.layers = 8}))
+              .empty());
 }
 
 TEST_CASE("extreme but sound scales pass") {

@@ -74,7 +74,8 @@ template <class Scalar, int N>
 /// A = (Ybar - nY h^T)(P Xbar)^+ + nY nX^T with P = I - nX nX^T, h_i = <nX, xbar_i> and phi(x) = A (x - cX) + cY: the
 /// unique minimiser of F under A nX = nY, where nX and nY are the pseudo-normals. It keeps length, direction and
 /// orientation of offsets, moves with rigid motions, reflections and common scaling, and changes by about as much as
-/// the points do. For hyperplanar X it is argmin H(.; nX, nY) (Proposition 2.21 \cite roca2009); it is exact on the loop if
+/// the points do. For hyperplanar X it is argmin H(.; nX, nY) (Proposition 2.21 \cite roca2009); it is exact on the
+/// loop if
 /// and only if Y = T X with T nX = nY.
 /// \return status null_pseudo_area, source_degenerate, target_degenerate or unrelated_loops where no such map exists
 template <class Scalar, int N>

@@ -120,11 +120,10 @@ template <class DerivedX, class DerivedY>
 }
 
 /// \cond
-#define PAVIOR_FIT_AFFINE(prefix, Scalar, N)                                                      \
-    prefix template AffineFit<Scalar, N> fit_affine<Scalar, N>(                                   \
-        AffineMethod, Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>>,                 \
-        Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>>, std::span<const std::size_t>, \
-        const FitOptions&);
+#define PAVIOR_FIT_AFFINE(prefix, Scalar, N)                                      \
+    prefix template AffineFit<Scalar, N> fit_affine<Scalar, N>(                   \
+        AffineMethod, Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>>, \
+        Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>>, std::span<const std::size_t>, const FitOptions&);
 #ifdef PAVIOR_COMPILED_MATH
 PAVIOR_FIT_AFFINE(extern, float, 2)
 PAVIOR_FIT_AFFINE(extern, float, 3)

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Algorithm 3.1 \cite roca2009: the offset-preserving affine projection, with tolerances and signs settled.
+/// Algorithm 3.1 \cite roca2009 : the offset-preserving affine projection, with tolerances and signs settled.
 
 #include <pavior/affine/fit_result.hpp>
 #include <pavior/affine/loop_normals.hpp>

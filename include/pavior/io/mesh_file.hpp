@@ -24,10 +24,10 @@ struct MeshGroup {
 /// What a mesh file holds: hexahedra, optionally boundary quads, and the group of each.
 struct HexMeshData {
     HexMesh mesh;
-    std::vector<QuadCorners> quads;        ///< quads of the boundary and of interfaces, may be empty
-    std::vector<std::int32_t> hex_groups;  ///< a group number a hexahedron, or empty
-    std::vector<std::int32_t> quad_groups; ///< a group number a quad, or empty
-    std::vector<MeshGroup> groups;         ///< names of the numbers in use
+    std::vector<QuadCorners> quads;         ///< quads of the boundary and of interfaces, may be empty
+    std::vector<std::int32_t> hex_groups;   ///< a group number a hexahedron, or empty
+    std::vector<std::int32_t> quad_groups;  ///< a group number a quad, or empty
+    std::vector<MeshGroup> groups;          ///< names of the numbers in use
 };
 
 /// True if write_mesh() knows the extension of \p file: .vtu .vtk .msh .inp (any case).

@@ -22,8 +22,10 @@ void require_good_quads(const M& mesh) {
         const QuadCorners c = quad(mesh, q);
         for (std::size_t k = 0; k < 4; ++k) {
             if (c[k] >= nodes) {
-                throw InputError(ErrorCode::bad_index, "quad " + std::to_string(q) + " names node " +
-                                 std::to_string(c[k]) + " of " + std::to_string(nodes), {q});
+                throw InputError(ErrorCode::bad_index,
+                                 "quad " + std::to_string(q) + " names node " + std::to_string(c[k]) + " of " +
+                                     std::to_string(nodes),
+                                 {q});
             }
         }
         if (c[0] == c[1] || c[0] == c[2] || c[0] == c[3] || c[1] == c[2] || c[1] == c[3] || c[2] == c[3]) {
@@ -45,8 +47,10 @@ template <quad_mesh M>
         }
         if (uses.size() == 2) {
             if (runs_along(quad(mesh, uses[1].quad), low, high) == upwards) {
-                throw InputError(ErrorCode::bad_orientation, name() + "is run in one sense by quads " +
-                                 std::to_string(uses[0].quad) + " and " + std::to_string(uses[1].quad), {low, high});
+                throw InputError(ErrorCode::bad_orientation,
+                                 name() + "is run in one sense by quads " + std::to_string(uses[0].quad) + " and " +
+                                     std::to_string(uses[1].quad),
+                                 {low, high});
             }
             return;
         }

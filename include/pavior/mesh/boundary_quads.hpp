@@ -46,9 +46,8 @@ template <hex_mesh M>
     const FaceTable table(mesh, skip);
     auto chunks = map_chunks(execution, table.node_count(), 4096, [&](std::size_t begin, std::size_t end) {
         FaceScan scan{{}, 0, VerifyReport(cap)};
-        table.for_each(mesh, begin, end, [&](Index, std::span<const FaceTable::Use> uses) {
-            scan_face(mesh, uses, scan);
-        });
+        table.for_each(mesh, begin, end,
+                       [&](Index, std::span<const FaceTable::Use> uses) { scan_face(mesh, uses, scan); });
         return scan;
     });
     FaceScan all{{}, 0, VerifyReport(cap)};

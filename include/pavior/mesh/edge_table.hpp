@@ -63,7 +63,8 @@ public:
     /// The edges of a mesh.
     template <quad_mesh M>
     explicit EdgeTable(const M& mesh, std::span<const char> skip = {})
-        : EdgeTable(pavior::node_count(mesh), pavior::quad_count(mesh), [&](Index q) { return quad(mesh, q); }, skip) {}
+        : EdgeTable(
+              pavior::node_count(mesh), pavior::quad_count(mesh), [&](Index q) { return quad(mesh, q); }, skip) {}
 
     /// Calls visit(low, high, uses) for every edge low < high, ascending; `uses` is a span of Use, ascending by quad.
     template <class Visit>

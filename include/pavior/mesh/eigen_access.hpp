@@ -27,9 +27,9 @@ class EigenMesh {
 public:
     EigenMesh(const DerivedV& nodes, const DerivedC& cells) : nodes_(nodes), cells_(cells) {
         if ((nodes.cols() != 3 && nodes.cols() != 2) || cells.cols() != N) {
-            throw InputError(ErrorCode::size_mismatch, "V has " + std::to_string(nodes.cols()) +
-                             " columns, wanted 3 or 2; the cells have " + std::to_string(cells.cols()) + ", wanted " +
-                             std::to_string(N));
+            throw InputError(ErrorCode::size_mismatch,
+                             "V has " + std::to_string(nodes.cols()) + " columns, wanted 3 or 2; the cells have " +
+                                 std::to_string(cells.cols()) + ", wanted " + std::to_string(N));
         }
     }
 

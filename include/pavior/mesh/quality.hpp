@@ -106,7 +106,14 @@ public:
         if (count_ == 0.0) {
             return {0, 0.0, 0.0, 0.0, 0.0, 0, low_, high_, histogram_};
         }
-        return {static_cast<std::size_t>(count_), min_, max_, mean_, std::sqrt(squares_ / count_), worst_, low_, high_,
+        return {static_cast<std::size_t>(count_),
+                min_,
+                max_,
+                mean_,
+                std::sqrt(squares_ / count_),
+                worst_,
+                low_,
+                high_,
                 histogram_};
     }
 

@@ -16,7 +16,7 @@ namespace pavior {
 
 /// Options of verify_quads().
 struct VerifyQuadsOptions {
-    std::size_t cap = 16;            ///< offenders of a kind whose ids are kept
+    std::size_t cap = 16;             ///< offenders of a kind whose ids are kept
     bool allow_unused_nodes = false;  ///< true: nodes of no quad are no fault
     /// Components that are no fault; default: any number. 1: the mesh must be connected.
     std::size_t max_components = std::numeric_limits<std::size_t>::max();
@@ -131,8 +131,7 @@ void check_edges(const M& mesh, const std::vector<char>& bad, QuadReport& report
         report.boundary_edges += uses.size() == 1 ? 1 : 0;
         if (uses.size() > 2) {
             report.add(MeshFault::overused, {low, high});
-        } else if (uses.size() == 2 &&
-                   runs_along(c, low, high) == runs_along(quad(mesh, uses[1].quad), low, high)) {
+        } else if (uses.size() == 2 && runs_along(c, low, high) == runs_along(quad(mesh, uses[1].quad), low, high)) {
             report.add(MeshFault::same_sense, {low, high});
         }
     });

@@ -22,14 +22,14 @@ inline constexpr Index no_node = std::numeric_limits<Index>::max();
 
 /// Nodes of one edge, in the sense of its parameter; both ends included. Empty if not meshed.
 struct EdgeNodes {
-    std::vector<Index> nodes;       ///< ids in BoundaryMesh::nodes
+    std::vector<Index> nodes;        ///< ids in BoundaryMesh::nodes
     std::vector<double> parameters;  ///< one a node
 };
 
 /// Mesh of one face. Empty if not meshed.
 struct FaceMesh {
-    std::vector<Index> nodes;        ///< ids in BoundaryMesh::nodes; a closed structured face names its seam's nodes twice
-    std::vector<Vec2> uv;            ///< parameters of the nodes on the face
+    std::vector<Index> nodes;  ///< ids in BoundaryMesh::nodes; a closed structured face names its seam's nodes twice
+    std::vector<Vec2> uv;      ///< parameters of the nodes on the face
     std::vector<QuadCorners> quads;  ///< positions in `nodes`, counter-clockwise about the face's own normal
     int columns = 0;                 ///< intervals of a structured face: node (i, k) is nodes[k * (columns + 1) + i];
     int rows = 0;                    ///< 0 for an unstructured one

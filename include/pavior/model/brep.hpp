@@ -51,7 +51,8 @@ using EdgeLoop = std::vector<OrientedEdge>;
 ///    which the loop of f runs along (true) or against (false) the edge;
 /// 8. b.face_period(f) is {pu, pv}, 0 where the surface is not periodic;
 /// 9. b.tag(dim, index) is the number by which users of the CAD file know the entity (dim 0 vertex .. 3 solid);
-/// 10. (not checkable) faces of one solid are glued by sharing edges, edges by sharing vertices; all calls are const and
+/// 10. (not checkable) faces of one solid are glued by sharing edges, edges by sharing vertices; all calls are const
+///    and
 ///    deterministic; thread-safety is the model's own matter and assumed absent.
 template <class B>
 concept brep = requires(const B& b, VertexId v, EdgeId e, FaceId f, SolidId s, double t, Vec2 uv, Vec3 x) {

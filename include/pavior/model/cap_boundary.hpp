@@ -20,7 +20,7 @@ struct CapBoundary {
     std::vector<std::size_t> offsets{0};  ///< loop l is [offsets[l], offsets[l + 1])
     std::vector<Index> ids;               ///< node ids of the BoundaryMesh
     std::vector<Vec3> points;
-    std::vector<Vec2> uv;                 ///< continuous along each loop; holes on the same sheet as the outer loop
+    std::vector<Vec2> uv;  ///< continuous along each loop; holes on the same sheet as the outer loop
 };
 
 /// All-quad mesh of a cap: nodes 0 .. m-1 are the m boundary nodes in the order given, inner nodes follow. Quads are

@@ -24,8 +24,8 @@ namespace pavior {
         std::vector<LinkingSide>& sides = result.loops[i];
         std::reverse(sides.begin(), sides.end());
         for (LinkingSide& side : sides) {
-            side = {side.face, side.outward, reversed(side.top), reversed(side.left), reversed(side.bottom),
-                    reversed(side.right)};
+            side = {side.face,           side.outward,          reversed(side.top),
+                    reversed(side.left), reversed(side.bottom), reversed(side.right)};
         }
     }
     return result;

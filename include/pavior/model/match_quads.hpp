@@ -93,7 +93,8 @@ private:
             at = to;
         }
         for (std::size_t k = 0; k < 4; ++k) {
-            if (const auto neighbour = edges_a.find(from[(k + 1) % 4], from[k]); neighbour && !reached[*neighbour / 4]) {
+            if (const auto neighbour = edges_a.find(from[(k + 1) % 4], from[k]);
+                neighbour && !reached[*neighbour / 4]) {
                 stack.push_back(*neighbour);
             }
         }

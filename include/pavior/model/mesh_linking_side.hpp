@@ -79,10 +79,10 @@ LinkingFaceReport mesh_linking_side(const B& b, BoundaryMesh& mesh, const Linkin
     options.periods = b.face_period(f);
     options.uv_corner_tolerance = 1e-4;
     const FaceSurface<B> surface{&b, f};
-    const LinkingSideMesh grid = linking_side(
-        surface, GridSides<Vec3>{bottom.points, top.points, left.points, right.points},
-        GridSides<Vec2>{bottom_uv, top.uv, left.uv, right.uv}, options,
-        [&](const Vec3& x) { return surface.closest(x); });
+    const LinkingSideMesh grid =
+        linking_side(surface, GridSides<Vec3>{bottom.points, top.points, left.points, right.points},
+                     GridSides<Vec2>{bottom_uv, top.uv, left.uv, right.uv}, options,
+                     [&](const Vec3& x) { return surface.closest(x); });
 
     FaceMesh& face = mesh.faces[f.index()];
     face.columns = static_cast<int>(grid.nodes.columns);

@@ -101,7 +101,8 @@ inline void add_closest_refusals(const SolidBoundary& solid, std::size_t count, 
 /// also by their corner angles (StackingOptions). Corners of linking sides and angles between them and the caps near 0,
 /// near 180 (a fillet at the rim of a cap) or beyond are refused, since the hexahedra there cannot be valid
 /// (max_deviation). Geometry is not checked further.
-/// Sides above each other are searched for within a bounded amount of work (StackingOptions::max_tests), so that a sweep
+/// Sides above each other are searched for within a bounded amount of work (StackingOptions::max_tests), so that a
+/// sweep
 /// may be missed on solids with hundreds of faces whose corners are ambiguous; direct sweeps are never missed.
 /// Deterministic. O(f^2) face pairs, each O(n) for n edges, most of them rejected early.
 /// \throws InputError non_manifold if the faces do not close the solid.

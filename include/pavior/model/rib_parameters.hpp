@@ -61,7 +61,8 @@ template <brep B>
 }  // namespace detail
 
 /// Parameters of the nodes of edges that should not be spaced equally, by edge id; empty for all other edges. For each
-/// sweep with bent ribs, each of one edge, whose ruled patches equal spacing folds or nearly folds, the ribs follow each
+/// sweep with bent ribs, each of one edge, whose ruled patches equal spacing folds or nearly folds, the ribs follow
+/// each
 /// other (rib_positions(), section 4.2.3 \cite roca2009). \p intervals by edge id. An edge that is a rib of two sweeps
 /// gets the positions of the first. O(ribs x samples^2) for bent ribs, nothing for straight ones.
 template <brep B>
@@ -74,8 +75,8 @@ template <brep B>
             continue;
         }
         const auto layers = static_cast<std::size_t>(intervals[found->ribs.front().use.edge.index()]);
-        const RibPositions positions = rib_positions(std::span<const detail::EdgeRib<B>>(found->ribs),
-                                                     found->offsets, Spacing::uniform(layers));
+        const RibPositions positions =
+            rib_positions(std::span<const detail::EdgeRib<B>>(found->ribs), found->offsets, Spacing::uniform(layers));
         for (std::size_t r = 0; !positions.equal_spacing && r < found->ribs.size(); ++r) {
             const detail::EdgeRib<B>& rib = found->ribs[r];
             std::vector<double>& parameters = result[rib.use.edge.index()];

@@ -21,9 +21,7 @@ struct GridView {
     int columns = 0, rows = 0;
     std::ptrdiff_t origin = 0, right = 0, up = 0;
 
-    [[nodiscard]] std::size_t at(int i, int k) const {
-        return static_cast<std::size_t>(origin + i * right + k * up);
-    }
+    [[nodiscard]] std::size_t at(int i, int k) const { return static_cast<std::size_t>(origin + i * right + k * up); }
 };
 
 /// The view of \p face whose bottom row and left column are the node ids given, if there is one.

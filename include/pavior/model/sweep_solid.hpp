@@ -39,9 +39,9 @@ struct TargetReport {
 
 /// The mesh of one solid: nodes by id, level by level in the order of the source cap.
 struct SolidMesh {
-    std::size_t level_size = 0;   ///< nodes of a level
+    std::size_t level_size = 0;  ///< nodes of a level
     std::size_t layers = 0;
-    std::vector<Index> nodes;     ///< (layers + 1) x level_size ids in BoundaryMesh::nodes
+    std::vector<Index> nodes;        ///< (layers + 1) x level_size ids in BoundaryMesh::nodes
     std::vector<QuadCorners> quads;  ///< of one level, positions in it, counter-clockwise about the sweep direction
     SweepReport sweep;
     std::optional<TargetReport> target;  ///< none if the target was meshed already
@@ -198,7 +198,8 @@ inline SmoothReport untangle_sweep(SweepMesh& swept, const Loops& loops, const E
 }  // namespace detail
 
 /// Sweeps one solid: projects the source cap onto the target (or finds the source's mesh there, if the neighbour has
-/// meshed it), places the inner levels, and repairs hexahedra that are inverted. The source cap and all linking sides of
+/// meshed it), places the inner levels, and repairs hexahedra that are inverted. The source cap and all linking sides
+/// of
 /// \p sweep must be meshed in \p mesh; the target's mesh and the inner nodes are added to it. \p intervals by edge id.
 /// \throws what verify_problem() finds, UnmeshableError not_sweepable if a neighbour's mesh does not fit
 template <brep B>
@@ -217,8 +218,8 @@ SolidMesh sweep_solid(const B& b, BoundaryMesh& mesh, const SweepTopology& sweep
     if (mesh.faces[sweep.target.index()].empty()) {
         TargetOptions target_options;
         target_options.untangle = target_options.smooth_repaired = options.smooth;
-        target_options.correction = options.sweep.correction == BoundaryCorrection::none ? TargetCorrection::never
-                                                                                         : TargetCorrection::always;
+        target_options.correction =
+            options.sweep.correction == BoundaryCorrection::none ? TargetCorrection::never : TargetCorrection::always;
         const TargetMesh target = detail::mesh_target(b, mesh, sweep, problem, levels, target_options);
         result.target = TargetReport{target.residual, target.folded_by_map.size(), target.folded, target.smooth};
         target_ids = mesh.faces[sweep.target.index()].nodes;

@@ -125,7 +125,8 @@ private:
     }
 
     /// Row of node \p a: its edge to \p b.
-    void add_half(Index a, Index b, double weight, std::vector<Triplet>& laplacian, std::vector<Triplet>& coupling) const {
+    void add_half(Index a, Index b, double weight, std::vector<Triplet>& laplacian,
+                  std::vector<Triplet>& coupling) const {
         const Eigen::Index row = unknown_[a];
         if (row < 0) {
             return;

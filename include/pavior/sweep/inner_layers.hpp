@@ -34,9 +34,9 @@ public:
           maps_(std::move(maps)),
           source_centre_(maps_.empty() ? Vec3(Vec3::Zero()) : maps_.front().from_source.cx),
           target_centre_(maps_.empty() ? Vec3(Vec3::Zero()) : maps_.back().from_target.cx),
-          caps_(maps_.empty() ? detail::CapArray()
-                              : detail::CapArray(problem_.source_nodes, problem_.target_nodes, source_centre_,
-                                                 target_centre_)) {
+          caps_(maps_.empty()
+                    ? detail::CapArray()
+                    : detail::CapArray(problem_.source_nodes, problem_.target_nodes, source_centre_, target_centre_)) {
         for (const LevelMap& map : maps_) {
             operators_.push_back(fold(map, source_centre_, target_centre_));
         }
@@ -55,8 +55,8 @@ public:
     /// \throws InputError size_mismatch (length of \p out), bad_index (k)
     void level(std::size_t k, std::span<Vec3> out, Execution execution = {}) const {
         check(k < level_count(), ErrorCode::bad_index, "no level " + std::to_string(k));
-        check(out.size() == level_size(), ErrorCode::size_mismatch, "a level has " + std::to_string(level_size()) +
-                                                                        " nodes, not " + std::to_string(out.size()));
+        check(out.size() == level_size(), ErrorCode::size_mismatch,
+              "a level has " + std::to_string(level_size()) + " nodes, not " + std::to_string(out.size()));
         write_levels(k, k + 1, out.data(), execution, false);
     }
 
@@ -84,7 +84,10 @@ public:
               "the sweep has " + std::to_string(level_size() * level_count()) + " nodes, not " +
                   std::to_string(out.size()));
         const bool stream = out.size_bytes() > stream_threshold;
-        const std::size_t group = correction_ == BoundaryCorrection::none ? level_count() : 64;
+        // Levels that share one pass over the weights; harmonic fields are held for all nodes of a group at once.
+        const std::size_t group = correction_ == BoundaryCorrection::none  ? level_count()
+                                  : correction_ == BoundaryCorrection::idw ? 64
+                                                                           : 16;
         for (std::size_t first = 0; first < level_count(); first += group) {
             const std::size_t last = std::min(first + group, level_count());
             write_levels(first, last, out.data() + first * level_size(), execution, stream);

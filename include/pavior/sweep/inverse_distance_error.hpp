@@ -22,9 +22,9 @@ namespace pavior {
 /// (the mean, if there are several).
 ///
 /// The m x n weights are never stored: tiles of 16 nodes x m weights are made on the fly and multiplied by strips of 12
-/// residual columns while they are in cache. Memory O(n + m c); 10 m n + 2 m n c flops for c columns, about 3 c of them
-/// a level (10^5 nodes, 2000 loop nodes, 200 levels: 2.4e11 flops a cap). Exact for each column alone: levels are not
-/// coupled, as a low-rank compression over the levels would do.
+/// residual columns while they are in cache. Memory O(n + m c), 10 m n + 2 m n c flops for c columns, three of them for
+/// each level (1e5 nodes, 2000 loop nodes, 200 levels: 2.4e11 flops a cap, about 7 s on one core with AVX-512). Exact
+/// for each column alone: a low-rank compression over the levels would couple them.
 class InverseDistanceError {
 public:
     /// Residuals in strips: strip s holds [i * 12 + c] for column 12 s + c, zero beyond the last.
@@ -78,8 +78,7 @@ public:
         for (std::size_t c = 0; c < prepared.columns; ++c) {
             double* strip = prepared.strips.data() + c / width * width * m + c % width;
             for (std::size_t i = 0; i < m; ++i) {
-                strip[i * width] =
-                    residuals(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(c)) / scale_;
+                strip[i * width] = residuals(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(c)) / scale_;
             }
         }
         return prepared;
@@ -101,8 +100,8 @@ public:
             }
             for (std::size_t first = 0; first < prepared.columns; first += width) {
                 field.fill(0.0);
-                detail::weighted_residuals(instructions, tile.data(), sums.data(), prepared.strips.data() + first * m, m,
-                                           field.data(), tile_size);
+                detail::weighted_residuals(instructions, tile.data(), sums.data(), prepared.strips.data() + first * m,
+                                           m, field.data(), tile_size);
                 for (std::size_t c = 0; c < std::min(width, prepared.columns - first); ++c) {
                     for (std::size_t j = 0; j < tile_size; ++j) {
                         out[(first + c) * stride + (i - begin) + j] += field[c * tile_size + j];
@@ -114,7 +113,8 @@ public:
 
 private:
     void make_tile(std::size_t first, double* tile, double* sums, InstructionSet instructions) const {
-        const std::array<const double*, 3> at{node_[0].data() + first, node_[1].data() + first, node_[2].data() + first};
+        const std::array<const double*, 3> at{node_[0].data() + first, node_[1].data() + first,
+                                              node_[2].data() + first};
         const std::array<const double*, 3> loop{loop_[0].data(), loop_[1].data(), loop_[2].data()};
         detail::inverse_square_weights(instructions, at.data(), loop.data(), loop_size(), tile, sums);
     }

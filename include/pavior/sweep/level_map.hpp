@@ -133,8 +133,8 @@ inline void measure_residuals(const SweepProblem& problem, std::size_t k, LevelM
             map.from_source = source.map;
             map.from_target = target.map;
             map.ambiguous_normal = source.ambiguous_normal || target.ambiguous_normal;
-            map.blending = options.blending.empty() ? static_cast<double>(k) / static_cast<double>(r)
-                                                    : options.blending[k];
+            map.blending =
+                options.blending.empty() ? static_cast<double>(k) / static_cast<double>(r) : options.blending[k];
         }
     });
     return maps;

@@ -57,9 +57,9 @@ struct level_access<LevelArray<P>> {
 };
 
 template <std::ranges::random_access_range L>
-    requires std::ranges::sized_range<L> && std::ranges::random_access_range<std::ranges::range_reference_t<const L>> &&
-             std::ranges::sized_range<std::ranges::range_reference_t<const L>> &&
-             point_like<std::ranges::range_reference_t<std::ranges::range_reference_t<const L>>>
+requires std::ranges::sized_range<L> && std::ranges::random_access_range<std::ranges::range_reference_t<const L>> &&
+    std::ranges::sized_range<std::ranges::range_reference_t<const L>> &&
+    point_like<std::ranges::range_reference_t<std::ranges::range_reference_t<const L>>>
 struct level_access<L> {
     static std::size_t level_count(const L& l) { return std::ranges::size(l); }
     static std::size_t point_count(const L& l, std::size_t k) { return std::ranges::size(level(l, k)); }

@@ -167,7 +167,8 @@ void untangle_side(const S& surface, const StructuredGrid<Vec3>& in_space, Untan
 }
 
 /// Mesh of a linking side on its surface, section 4.2.3 \cite roca2009. Interpolates the parameters of the sides
-/// (transfinite.hpp), and evaluates the surface: inner nodes are surface.point(uv) exactly, the side nodes are the given
+/// (transfinite.hpp), and evaluates the surface: inner nodes are surface.point(uv) exactly, the side nodes are the
+/// given
 /// ones bit by bit. If quads fold (folded_quads.hpp) and `repair` is set: the interpolation in space moved to the
 /// closest points is taken where fewer quads fold, then what is left is untangled on the surface with the sides fixed.
 /// \param sides    nodes of the four sides in space

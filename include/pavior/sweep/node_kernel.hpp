@@ -117,16 +117,16 @@ using DoubleX8 __attribute__((vector_size(64))) = double;
 #endif
 
 // Adds row s of the caps times column s of the matrix.
-#define PAVIOR_KERNEL_ADD_ROW(s)                               \
-    __builtin_memcpy(&in, caps.row[s] + i, sizeof in);         \
-    product = in * m##s##0;                                    \
-    PAVIOR_ROUNDED(product);                                   \
-    x += product;                                              \
-    product = in * m##s##1;                                    \
-    PAVIOR_ROUNDED(product);                                   \
-    y += product;                                              \
-    product = in * m##s##2;                                    \
-    PAVIOR_ROUNDED(product);                                   \
+#define PAVIOR_KERNEL_ADD_ROW(s)                       \
+    __builtin_memcpy(&in, caps.row[s] + i, sizeof in); \
+    product = in * m##s##0;                            \
+    PAVIOR_ROUNDED(product);                           \
+    x += product;                                      \
+    product = in * m##s##1;                            \
+    PAVIOR_ROUNDED(product);                           \
+    y += product;                                      \
+    product = in * m##s##2;                            \
+    PAVIOR_ROUNDED(product);                           \
     z += product;
 
 #define PAVIOR_KERNEL_NAME(function) function##_sse2
@@ -204,7 +204,8 @@ inline std::size_t nodes_to_alignment(const double* out) {
 
 /// How apply_level() works.
 struct KernelOptions {
-    InstructionSet instructions = best_instruction_set();  ///< must exist on this machine; the result does not depend on it
+    InstructionSet instructions =
+        best_instruction_set();  ///< must exist on this machine; the result does not depend on it
     /// Write past the caches: faster when the output is far larger than they are and not read at once. Another thread
     /// may read it after finish_streaming().
     bool stream = false;

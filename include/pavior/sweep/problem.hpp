@@ -47,8 +47,8 @@ void copy_levels(const L& levels, SweepProblem& problem) {
         const std::size_t points = static_cast<std::size_t>(access::point_count(levels, k));
         if (points != m) {
             throw InputError(ErrorCode::size_mismatch,
-                             "level " + std::to_string(k) + " has " + std::to_string(points) + " points, the loops have " +
-                                 std::to_string(m) + " nodes",
+                             "level " + std::to_string(k) + " has " + std::to_string(points) +
+                                 " points, the loops have " + std::to_string(m) + " nodes",
                              {static_cast<std::int64_t>(k)});
         }
         for (std::size_t i = 0; i < m; ++i) {

@@ -44,10 +44,10 @@ struct LevelResidual {
 
 /// Report of sweep(). Times are wall-clock seconds.
 struct SweepReport {
-    std::size_t nodes = 0;                 ///< (r + 1) n
-    std::size_t hexahedra = 0;             ///< r times the number of quads
-    std::size_t layers = 0;                ///< r
-    std::size_t loop_nodes = 0;            ///< m
+    std::size_t nodes = 0;       ///< (r + 1) n
+    std::size_t hexahedra = 0;   ///< r times the number of quads
+    std::size_t layers = 0;      ///< r
+    std::size_t loop_nodes = 0;  ///< m
     std::size_t loops = 0;
     std::vector<LevelResidual> residuals;  ///< of levels 1 .. r - 1, before the boundary correction
     std::vector<SweepWarning> warnings;

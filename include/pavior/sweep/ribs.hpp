@@ -20,7 +20,8 @@
 
 namespace pavior {
 
-/// C is a rib_curve if, for a const C& c, c(t) is convertible to Vec3 for every t in [0, 1]: a continuous curve from the
+/// C is a rib_curve if, for a const C& c, c(t) is convertible to Vec3 for every t in [0, 1]: a continuous curve from
+/// the
 /// source cap (t = 0) to the target cap (t = 1), any regular parametrisation (not checkable).
 /// Models: Polyline, a lambda, std::function<Vec3(double)>.
 template <class C>
@@ -328,7 +329,8 @@ template <rib_curve C>
 
 /// Level positions on two opposite curves, section 4.2.3 \cite roca2009: "nodes follow those of the opposite edge".
 /// Both get the positions of \p spacing by arc length (equal spacing) if no quad of the ruled patch between them folds
-/// or nearly folds then (RibOptions::sufficient_det). Otherwise they are matched monotonically so that the squared distance between opposite nodes, integrated over
+/// or nearly folds then (RibOptions::sufficient_det). Otherwise they are matched monotonically so that the squared
+/// distance between opposite nodes, integrated over
 /// both curves, is least (dynamic programming on a fine sampling), the match is smoothed over about one interval, and
 /// \p spacing is applied to the mean of the two arc lengths. Swapping the curves swaps the result.
 /// InputError: empty_input (a curve of length 0), not_finite, bad_option. A fold that remains is reported.
@@ -342,7 +344,8 @@ template <rib_curve A, rib_curve B>
 }
 
 /// The same for all ribs of a sweep. The ribs of loop l are ribs[loop_offsets[l]] .. ribs[loop_offsets[l + 1] - 1] in
-/// cyclic order; neighbours bound a linking side. If equal spacing folds or nearly folds a quad of any ruled patch, every rib is
+/// cyclic order; neighbours bound a linking side. If equal spacing folds or nearly folds a quad of any ruled patch,
+/// every rib is
 /// matched against the mean curve of all ribs, so that levels are nearly perpendicular to it.
 /// InputError: as opposite_positions() (ids: ribs), bad_index (offsets). O(p samples^2).
 template <rib_curve C>

@@ -210,7 +210,8 @@ private:
 
 }  // namespace detail
 
-/// Maps the source mesh to the target surface, section 4.2.2 \cite roca2009: the inner nodes go through the affine map F
+/// Maps the source mesh to the target surface, section 4.2.2 \cite roca2009: the inner nodes go through the affine map
+/// F
 /// fitted to the loops in the two parameter planes (4.5), then through the target's parametrisation (4.6); nodes and
 /// parameters of the loops are the given ones, bit by bit. F interpolates the loops only if they are affine to each
 /// other. Where quads fold (folded_quads.hpp), the boundary residual is spread over the inner nodes and what is left is

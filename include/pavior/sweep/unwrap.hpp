@@ -88,7 +88,8 @@ inline UnwrapReport unwrap_loop(std::span<const std::span<Vec2>> chains, const P
     return report;
 }
 
-/// The same for the four sides of a grid (as GridSides: bottom and top run with i, left and right with k); bottom stays.
+/// The same for the four sides of a grid (as GridSides: bottom and top run with i, left and right with k); bottom
+/// stays.
 inline UnwrapReport unwrap_sides(std::span<Vec2> bottom, std::span<Vec2> top, std::span<Vec2> left,
                                  std::span<Vec2> right, const Periods& periods, double tolerance) {
     UnwrapReport report;

@@ -109,10 +109,11 @@ private:
             }
             return ids.empty();
         };
-        const bool finite = not_finite(problem_.source_nodes, "source nodes with NaN or infinite coordinates:", 1) &&
-                            not_finite(problem_.target_nodes, "target nodes with NaN or infinite coordinates:", 1) &&
-                            not_finite(problem_.boundary_levels, "boundary levels with NaN or infinite coordinates:",
-                                       problem_.loops.nodes.size());
+        const bool finite =
+            not_finite(problem_.source_nodes, "source nodes with NaN or infinite coordinates:", 1) &&
+            not_finite(problem_.target_nodes, "target nodes with NaN or infinite coordinates:", 1) &&
+            not_finite(problem_.boundary_levels,
+                       "boundary levels with NaN or infinite coordinates:", problem_.loops.nodes.size());
         const auto huge = [](const Vec3& x) { return x.cwiseAbs().maxCoeff() > 1e300; };
         if (finite && (std::any_of(problem_.source_nodes.begin(), problem_.source_nodes.end(), huge) ||
                        std::any_of(problem_.target_nodes.begin(), problem_.target_nodes.end(), huge) ||
@@ -143,12 +144,13 @@ private:
             add(ErrorCode::bad_index, "the loops name nodes that do not exist:" + list(outside), outside);
             return;
         }
-        const LoopMatch match = problem_.quads.empty() ? match_loops_alone(problem_.loops)
-                                                       : match_loops(problem_.loops, boundary_loops(mesh()),
-                                                                     problem_.source_nodes.size());
+        const LoopMatch match = problem_.quads.empty()
+                                    ? match_loops_alone(problem_.loops)
+                                    : match_loops(problem_.loops, boundary_loops(mesh()), problem_.source_nodes.size());
         if (!match.message.empty()) {
             add(ErrorCode::loops_do_not_match_mesh, match.message, match.ids);
-        } else if (const auto lost = unreached_node(problem_.source_nodes.size(), problem_.quads, problem_.loops.nodes)) {
+        } else if (const auto lost =
+                       unreached_node(problem_.source_nodes.size(), problem_.quads, problem_.loops.nodes)) {
             add(ErrorCode::loops_do_not_match_mesh,
                 "the sheet of quads with node " + std::to_string(*lost) + " has no boundary", {*lost});
         }
@@ -171,26 +173,29 @@ private:
             }
         }
         if (!ids.empty()) {
-            add(ErrorCode::inconsistent_boundary, std::to_string(ids.size()) + " boundary nodes of the " + name +
-                                                      " are not where level " + std::to_string(k) + " puts them:" +
-                                                      list(ids), ids);
+            add(ErrorCode::inconsistent_boundary,
+                std::to_string(ids.size()) + " boundary nodes of the " + name + " are not where level " +
+                    std::to_string(k) + " puts them:" + list(ids),
+                ids);
         }
     }
 
     /// Every loop by itself: it must span a plane and enclose an area.
     void levels() {
         for (std::size_t k = 0; k <= problem_.layers; ++k) {
-            const auto fit = fit_affine(AffineMethod::constrained, points(k), points(k), problem_.loops.offsets,
-                                        options_.fit);
+            const auto fit =
+                fit_affine(AffineMethod::constrained, points(k), points(k), problem_.loops.offsets, options_.fit);
             const std::string level = "level " + std::to_string(k);
             const Error::Ids ids{static_cast<std::int64_t>(k)};
             if (fit.status == FitStatus::source_degenerate || fit.status == FitStatus::target_degenerate) {
                 add(k == 0 ? ErrorCode::source_degenerate : ErrorCode::target_degenerate,
                     "the loops of " + level + " lie on a line or in a point", ids);
             } else if (fit.status != FitStatus::ok) {
-                add(to_error_code(fit.status), fit.status == FitStatus::null_pseudo_area
-                                                   ? "the loops of " + level + " enclose no area, they have no normal"
-                                                   : level + ": " + std::string(to_string(fit.status)), ids);
+                add(to_error_code(fit.status),
+                    fit.status == FitStatus::null_pseudo_area
+                        ? "the loops of " + level + " enclose no area, they have no normal"
+                        : level + ": " + std::string(to_string(fit.status)),
+                    ids);
             } else {
                 normals_.push_back(fit.uX);
             }
@@ -232,9 +237,9 @@ private:
 /// 1. empty_input: no nodes, loops or layers; 2. size_mismatch between the arrays; 3. not_finite, overflow (beyond
 /// 1e300); 4. the quads: bad_index, bad_orientation, non_manifold, unused_node (as verify_quads; without quads there is
 /// nothing to check); 5. the loops: bad_index, loops_do_not_match_mesh (a loop too many or too few, a node missing or
-/// twice, some loops reversed, a closed sheet of quads; all loops reversed is no fault); 6. inconsistent_boundary; 7. for each level
-/// source_degenerate (level 0), target_degenerate (others), null_pseudo_area; 8. orientation_reversed between
-/// neighbouring levels. Pairs of loops without correlation (unrelated_loops) show when the maps are fitted.
+/// twice, some loops reversed, a closed sheet of quads; all loops reversed is no fault); 6. inconsistent_boundary;
+/// 7. for each level source_degenerate (level 0), target_degenerate (others), null_pseudo_area; 8. orientation_reversed
+/// between neighbouring levels. Pairs of loops without correlation (unrelated_loops) show when the maps are fitted.
 /// O(n + quads + m r), with sorts; read-only, thread-safe.
 [[nodiscard]] inline std::vector<ProblemFinding> verify_problem(const SweepProblem& problem,
                                                                 const VerifyProblemOptions& options = {}) {

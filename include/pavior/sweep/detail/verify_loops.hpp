@@ -78,14 +78,15 @@ struct BoundaryNeighbours {
 /// Follows one loop along the boundary; `reversed` tells its sense.
 [[nodiscard]] inline LoopMatch match_loop(std::span<const Index> loop, const BoundaryNeighbours& boundary,
                                           const std::string& name) {
-    const bool against = boundary.next[loop[0]] != loop[1 % loop.size()] &&
-                         boundary.previous[loop[0]] == loop[1 % loop.size()];
+    const bool against =
+        boundary.next[loop[0]] != loop[1 % loop.size()] && boundary.previous[loop[0]] == loop[1 % loop.size()];
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const Index from = loop[i];
         const Index to = loop[(i + 1) % loop.size()];
         if ((against ? boundary.previous[from] : boundary.next[from]) != to) {
             return mismatch(name + ": nodes " + std::to_string(from) + " and " + std::to_string(to) +
-                                " do not follow each other on the boundary of the mesh", {from, to});
+                                " do not follow each other on the boundary of the mesh",
+                            {from, to});
         }
     }
     return {{}, {}, against};
@@ -106,7 +107,8 @@ struct BoundaryNeighbours {
     for (const Index i : boundary.nodes) {
         if (named[i] == 0) {
             return mismatch("the mesh has " + std::to_string(boundary.size()) + " boundary loops, " +
-                                std::to_string(loops.size()) + " are given; none holds node " + std::to_string(i), {i});
+                                std::to_string(loops.size()) + " are given; none holds node " + std::to_string(i),
+                            {i});
         }
     }
     return {};
