@@ -4,6 +4,7 @@
 
 #include <pavior/core/error.hpp>
 #include <pavior/core/progress.hpp>
+#include <pavior/math/quadrilateral.hpp>
 #include <pavior/model/cap_boundary.hpp>
 #include <pavior/model/face_surface.hpp>
 #include <pavior/model/match_quads.hpp>
@@ -158,6 +159,31 @@ template <brep B>
     return ids;
 }
 
+/// The shapes that the hexahedra of a sweep should have: its source cap extruded straight along its normal by layers of
+/// the mean thickness. Node numbers as in the sweep.
+[[nodiscard]] inline std::vector<Vec3> straight_sweep(const SweepMesh& swept, const Loops& loops) {
+    const std::span<const Vec3> source = swept.level(0);
+    Vec3 area = Vec3::Zero();
+    for (const QuadCorners& q : swept.quads()) {
+        area += quad_vector_area({source[q[0]], source[q[1]], source[q[2]], source[q[3]]});
+    }
+    double length = 0;
+    for (std::size_t k = 0; k < swept.layer_count(); ++k) {
+        for (const Index node : loops.nodes) {
+            length += (swept.level(k + 1)[node] - swept.level(k)[node]).norm();
+        }
+    }
+    const Vec3 step = area.stableNormalized() * (length / static_cast<double>(swept.layer_count() * loops.nodes.size()));
+    std::vector<Vec3> nodes;
+    nodes.reserve(swept.nodes().size());
+    for (std::size_t k = 0; k <= swept.layer_count(); ++k) {
+        for (const Vec3& x : source) {
+            nodes.emplace_back(x + static_cast<double>(k) * step);
+        }
+    }
+    return nodes;
+}
+
 /// Untangles the hexahedra of a sweep with the nodes of its boundary fixed.
 inline SmoothReport untangle_sweep(SweepMesh& swept, const Loops& loops, const Execution& execution) {
     std::vector<std::uint8_t> fixed(swept.nodes().size(), 0);
@@ -173,7 +199,7 @@ inline SmoothReport untangle_sweep(SweepMesh& swept, const Loops& loops, const E
     swept.hexes(hexes);
     UntangleOptions options;
     options.execution = execution;
-    return untangle_hexes(swept.nodes(), hexes, fixed, options);
+    return untangle_hexes(swept.nodes(), hexes, fixed, options, straight_sweep(swept, loops));
 }
 
 /// Adds the inner nodes of a sweep to \p mesh; returns the ids of all its nodes, level by level.
