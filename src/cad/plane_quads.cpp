@@ -45,6 +45,7 @@ private:
 };
 
 void set_common_options(GmshOptions& options, double size) {
+    options.set("General.AbortOnError", 0);  // it throws inside a parallel region, which ends the process
     options.set("General.NumThreads", 1);
     options.set("Mesh.RandomFactor", 1e-9);
     options.set("Mesh.RandomSeed", 1);
@@ -164,6 +165,11 @@ std::optional<RawMesh> meshed(const PlaneLoops& loops, double size, const QuadRe
             gmsh::model::mesh::setRecombine(2, 1);
         }
         gmsh::model::mesh::generate(2);
+        gmsh::vectorpair failed;
+        gmsh::model::mesh::getLastEntityError(failed);
+        if (!failed.empty()) {
+            return std::nullopt;
+        }
         RawMesh mesh;
         std::vector<std::pair<std::size_t, Index>> index;
         if (!read_nodes(loops, mesh, index) || !read_cells(2, index, mesh.triangles) ||

@@ -128,6 +128,8 @@ int main(int argc, char** argv) {
         std::cerr << "pavior: not enough memory\n";
     } catch (const std::exception& error) {
         std::cerr << "pavior: " << error.what() << "\n";
+    } catch (...) {
+        std::cerr << "pavior: an error of unknown kind in a library\n";
     }
     return cli::exit_bad_input;
 }

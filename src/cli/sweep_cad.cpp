@@ -7,8 +7,7 @@
 #include <pavior/model/recognition.hpp>
 #include <pavior/model/sweep_model.hpp>
 
-#include <chrono>
-#include <cmath>
+#include <sstream>
 
 namespace pavior::cli {
 
@@ -166,22 +165,60 @@ void warn(const GmshBrep& model, const ModelMesh& result, const IntervalAssignme
 
 }  // namespace
 
+namespace {
+
+/// Intervals and mesh for one wish of sizes.
+struct Attempt {
+    IntervalAssignment intervals;
+    ModelMesh mesh;
+};
+
+Attempt attempt(const GmshBrep& model, const std::vector<SweepTopology>& sweeps, const SweepCommand& command,
+                const IntervalOptions& wishes, const Progress& progress) {
+    report(progress, "intervals", 0);
+    Attempt result{assign_intervals(model, sweeps, wishes), {}};
+    ModelSweepOptions options;
+    options.solid.sweep = sweep_options(command);
+    options.solid.smooth = command.smooth;
+    options.progress = progress;
+    result.mesh = sweep_model(model, sweeps, result.intervals.intervals, GmshCapMesher{&model}, options);
+    return result;
+}
+
+/// A cap between very few nodes may admit no quads that are not folded: then the edges are divided more finely, a few
+/// times, and the user is told.
+Attempt attempt_refining(const GmshBrep& model, const std::vector<SweepTopology>& sweeps, const SweepCommand& command,
+                         const Progress& progress, std::vector<std::string>& warnings) {
+    constexpr int tries = 4;
+    IntervalOptions wishes = interval_options(model, command);
+    for (int i = 1;; ++i) {
+        try {
+            return attempt(model, sweeps, command, wishes, progress);
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::cad_failure || i == tries) {
+                throw;
+            }
+            wishes.size *= 0.75;
+            wishes.min_loop = 8;
+            std::ostringstream text;
+            text << error.what() << "; tried again with size " << wishes.size;
+            warnings.push_back(text.str());
+        }
+    }
+}
+
+}  // namespace
+
 Swept sweep_cad_file(const SweepCommand& command, const Progress& progress) {
     report(progress, "reading", 0);
     const GmshBrep model = GmshBrep::load(command.input);
     report(progress, "recognition", 0);
     const std::vector<SweepTopology> sweeps = recognise(model, command);
-    report(progress, "intervals", 0);
-    const IntervalAssignment intervals = assign_intervals(model, sweeps, interval_options(model, command));
-    ModelSweepOptions options;
-    options.solid.sweep = sweep_options(command);
-    options.solid.smooth = command.smooth;
-    options.progress = progress;
-    ModelMesh result = sweep_model(model, sweeps, intervals.intervals, GmshCapMesher{&model}, options);
     Swept swept;
-    swept.report = to_json(model, result, intervals);
-    warn(model, result, intervals, swept.warnings);
-    swept.data = grouped(model, result);
+    Attempt result = attempt_refining(model, sweeps, command, progress, swept.warnings);
+    swept.report = to_json(model, result.mesh, result.intervals);
+    warn(model, result.mesh, result.intervals, swept.warnings);
+    swept.data = grouped(model, result.mesh);
     return swept;
 }
 
