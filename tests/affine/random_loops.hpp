@@ -120,7 +120,11 @@ Offsets one_loop(const Points<N>& X) {
 
 inline nlohmann::json read_case(const std::string& name) {
     nlohmann::json data;
-    std::ifstream file(std::string(PAVIOR_TEST_DATA) + "/sweep/" + name + ".json");
+    std::string path = PAVIOR_TEST_DATA;
+    path += "/sweep/";
+    path += name;
+    path += ".json";
+    std::ifstream file(path);
     if (!file) {
         throw std::runtime_error("no case file " + name);
     }

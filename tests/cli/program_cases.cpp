@@ -79,7 +79,7 @@ TEST_CASE("a STEP part becomes a valid mesh, with report and groups") {
 }
 
 TEST_CASE("--quiet is quiet, threads and formats do not change the mesh") {
-    const std::string part = "sweep " + example("mfcad/6-8-8-8-19.step") + " --size 2 --quiet -o ";
+    const std::string part = "sweep " + example("mfcad/6-8-8-8-19.step") + " --size 1 --quiet -o ";
     const std::string a = scratch() / "a.vtu";
     const Outcome outcome = run(part + a + " --threads 1");
     REQUIRE(outcome.code == 0);
@@ -95,6 +95,15 @@ TEST_CASE("--quiet is quiet, threads and formats do not change the mesh") {
         REQUIRE(got.mesh.nodes.size() == want.mesh.nodes.size());
         CHECK(std::memcmp(got.mesh.nodes.data(), want.mesh.nodes.data(), want.mesh.nodes.size() * sizeof(Vec3)) == 0);
     }
+}
+
+TEST_CASE("a size that leaves a cap no quads is made finer, and the user is told") {
+    const Outcome outcome =
+        run("sweep " + example("mfcad/6-8-8-8-19.step") + " --size 4 -o " + (scratch() / "coarse.vtu").string());
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(verify_hexes(read_mesh(scratch() / "coarse.vtu").mesh).ok());
+    CHECK((outcome.err.empty() || outcome.err.find("tried again with size") != std::string::npos));
 }
 
 TEST_CASE("--layers, --source and --target are obeyed") {

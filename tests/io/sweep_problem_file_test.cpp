@@ -35,7 +35,7 @@ TEST_CASE("a sweep problem is read from JSON") {
     CHECK(problem.quads.size() == 1);
     CHECK(problem.loops.nodes == std::vector<Index>{0, 1, 2, 3});
     CHECK(problem.target_nodes[2] == Vec3(1, 1, 1));
-    CHECK(verify_problem(problem).ok());
+    CHECK(verify_problem(problem).empty());
 }
 
 TEST_CASE("loops are found where they are not given") {

@@ -47,7 +47,7 @@ TEST_CASE("sound meshes") {
 
 TEST_CASE("no quads") { check_only(verify_quads(QuadMesh{}), MeshFault::empty, 1, {}, ErrorCode::empty_input); }
 
-TEST_CASE("coordinates that are not finite") {
+TEST_CASE("coordinates of quads that are not finite") {
     QuadMesh mesh = shapes::grid_cap(2, 2);
     mesh.nodes[4].y() = std::numeric_limits<double>::quiet_NaN();
     mesh.nodes[7].z() = -std::numeric_limits<double>::infinity();

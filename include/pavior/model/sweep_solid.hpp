@@ -163,17 +163,22 @@ template <brep B>
 /// the mean thickness. Node numbers as in the sweep.
 [[nodiscard]] inline std::vector<Vec3> straight_sweep(const SweepMesh& swept, const Loops& loops) {
     const std::span<const Vec3> source = swept.level(0);
+    double extent = 0;
+    for (const Vec3& x : source) {
+        extent = std::max(extent, (x - source[0]).stableNorm());
+    }
+    const auto local = [&](Index i) { return Vec3((source[i] - source[0]) / extent); };  // squares must not overflow
     Vec3 area = Vec3::Zero();
     for (const QuadCorners& q : swept.quads()) {
-        area += quad_vector_area({source[q[0]], source[q[1]], source[q[2]], source[q[3]]});
+        area += quad_vector_area({local(q[0]), local(q[1]), local(q[2]), local(q[3])});
     }
     double length = 0;
     for (std::size_t k = 0; k < swept.layer_count(); ++k) {
         for (const Index node : loops.nodes) {
-            length += (swept.level(k + 1)[node] - swept.level(k)[node]).norm();
+            length += (swept.level(k + 1)[node] - swept.level(k)[node]).stableNorm();
         }
     }
-    const Vec3 step = area.stableNormalized() * (length / static_cast<double>(swept.layer_count() * loops.nodes.size()));
+    const Vec3 step = area.normalized() * (length / static_cast<double>(swept.layer_count() * loops.nodes.size()));
     std::vector<Vec3> nodes;
     nodes.reserve(swept.nodes().size());
     for (std::size_t k = 0; k <= swept.layer_count(); ++k) {
