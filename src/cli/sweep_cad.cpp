@@ -189,7 +189,7 @@ Attempt attempt(const GmshBrep& model, const std::vector<SweepTopology>& sweeps,
 /// times, and the user is told.
 Attempt attempt_refining(const GmshBrep& model, const std::vector<SweepTopology>& sweeps, const SweepCommand& command,
                          const Progress& progress, std::vector<std::string>& warnings) {
-    constexpr int tries = 4;
+    constexpr int tries = 8;
     IntervalOptions wishes = interval_options(model, command);
     for (int i = 1;; ++i) {
         try {
@@ -198,7 +198,7 @@ Attempt attempt_refining(const GmshBrep& model, const std::vector<SweepTopology>
             if (error.code() != ErrorCode::cad_failure || i == tries) {
                 throw;
             }
-            wishes.size *= 0.75;
+            wishes.size *= 0.7;
             wishes.min_loop = 8;
             std::ostringstream text;
             text << error.what() << "; tried again with size " << wishes.size;
