@@ -97,6 +97,28 @@ TEST_CASE("--quiet is quiet, threads and formats do not change the mesh") {
     }
 }
 
+TEST_CASE("an assembly conforms across its shared faces and keeps the names of its solids") {
+    const std::string mesh = scratch() / "assembly.msh";
+    const Outcome outcome = run("sweep " + example("assembly/bolt_plate_washer.step") + " --size 2 -o " + mesh);
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const HexMeshData data = read_mesh(mesh);
+    const HexReport report = verify_hexes(data.mesh);
+    CHECK(report.ok());
+    CHECK(report.crossed_edges == 0);
+    std::set<std::string> names;
+    for (const MeshGroup& group : data.groups) {
+        if (group.dimension == 3) {
+            names.insert(group.name);
+        }
+    }
+    CHECK(names == std::set<std::string>{"bolt", "plate", "washer"});
+    std::set<int> used(data.hex_groups.begin(), data.hex_groups.end());
+    CHECK(used.size() == 3);
+    // Quads on the interfaces are there once, beside those of the boundary.
+    CHECK(data.quads.size() > report.boundary_quads);
+}
+
 TEST_CASE("a size that leaves a cap no quads is made finer, and the user is told") {
     const Outcome outcome =
         run("sweep " + example("mfcad/6-8-8-8-19.step") + " --size 4 -o " + (scratch() / "coarse.vtu").string());
