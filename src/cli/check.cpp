@@ -36,15 +36,6 @@ std::map<std::pair<int, int>, std::size_t> group_sizes(const HexMeshData& data) 
     return sizes;
 }
 
-std::string group_name(const HexMeshData& data, int dimension, int number) {
-    for (const MeshGroup& group : data.groups) {
-        if (group.dimension == dimension && group.number == number) {
-            return group.name;
-        }
-    }
-    return {};
-}
-
 void print_histogram(std::ostream& out, const NamedMetric& metric) {
     constexpr std::size_t width = 50;
     const Statistics& s = *metric.statistics;

@@ -30,14 +30,4 @@ inline std::map<int, std::vector<std::size_t>> cells_by_group(std::size_t count,
     return result;
 }
 
-/// Name of a group, "" where it has none.
-inline std::string group_name(const HexMeshData& data, int dimension, int number) {
-    for (const MeshGroup& group : data.groups) {
-        if (group.dimension == dimension && group.number == number) {
-            return group.name;
-        }
-    }
-    return {};
-}
-
 }  // namespace pavior::io

@@ -30,6 +30,16 @@ struct HexMeshData {
     std::vector<MeshGroup> groups;          ///< names of the numbers in use
 };
 
+/// The name of a group, empty where it has none. O(groups).
+[[nodiscard]] inline std::string group_name(const HexMeshData& data, int dimension, int number) {
+    for (const MeshGroup& group : data.groups) {
+        if (group.dimension == dimension && group.number == number) {
+            return group.name;
+        }
+    }
+    return {};
+}
+
 /// True if write_mesh() knows the extension of \p file: .vtu .vtk .msh .inp (any case).
 [[nodiscard]] bool can_write_mesh(std::string_view file);
 
