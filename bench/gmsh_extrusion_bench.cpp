@@ -104,8 +104,7 @@ void gmsh_extrusion(benchmark::State& state) {
             std::size_t ours = 0;
             swept = std::min(swept, seconds([&] {
                                  const SweepResult result = sweep(problem);
-                                 std::vector<HexCorners> hexes(result.mesh.hex_count());
-                                 result.mesh.hexes(hexes);
+                                 const std::vector<HexCorners> hexes = result.mesh.hexes();
                                  benchmark::DoNotOptimize(hexes.data());
                                  ours = hexes.size();
                              }));

@@ -1,6 +1,7 @@
 #include "swept.hpp"
 
 #include <pavior/io/sweep_problem_file.hpp>
+#include <pavior/sweep/untangle_sweep.hpp>
 
 #include <algorithm>
 
@@ -53,12 +54,11 @@ Swept sweep_problem_file(const SweepCommand& command, const Progress& progress) 
     warn(result.report, swept.warnings);
     if (command.smooth) {
         report(progress, "untangling", 0.9);
-        swept.report["smooth"] = to_json(detail::untangle_sweep(result.mesh, problem.loops, options.execution));
+        swept.report["smooth"] = to_json(untangle_sweep(result.mesh, problem.loops, options.execution));
     }
     HexMesh& mesh = swept.data.mesh;
     mesh.nodes.assign(result.mesh.nodes().begin(), result.mesh.nodes().end());
-    mesh.hexes.resize(result.mesh.hex_count());
-    result.mesh.hexes(mesh.hexes);
+    mesh.hexes = result.mesh.hexes();
     return swept;
 }
 

@@ -2,6 +2,7 @@
 
 #include <pavior/sweep/node_kernel.hpp>
 
+#include <cmath>
 #include <cstring>
 #include <random>
 #include <vector>
@@ -46,7 +47,7 @@ bool same_bytes(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
-TEST_CASE("positions are the operator applied from left to right, each product rounded") {
+TEST_CASE("positions are the operator applied from left to right by fused multiply-adds") {
     const std::size_t n = 5;
     const std::vector<double> caps = random_values(6 * n, 1);
     CapCoordinates rows;
@@ -58,10 +59,9 @@ TEST_CASE("positions are the operator applied from left to right, each product r
     apply_level(level, rows, nullptr, 0, 0, n, out.data());
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
-            volatile double sum = level.centre[c];
+            double sum = level.centre[c];
             for (std::size_t s = 0; s < 6; ++s) {
-                volatile const double product = level.linear[s][c] * rows.row[s][i];
-                sum = sum + product;
+                sum = std::fma(level.linear[s][c], rows.row[s][i], sum);
             }
             CHECK(out[3 * i + c] == sum);
         }

@@ -36,6 +36,11 @@ enum class ErrorCode : std::uint8_t {
     duplicate_node,           ///< two nodes in one place
     volume_mismatch,          ///< the cells and their boundary enclose different volumes
     not_sweepable,            ///< the solid breaks a condition of section 2.1 \cite roca2009
+    open_surface,             ///< a surface that must be closed has an edge with one triangle
+    self_intersection,        ///< two triangles of a surface cross or overlap
+    degenerate_triangle,      ///< a triangle without area
+    tetrahedra_failed,        ///< the tetrahedralizer gave up
+    invalid_dual,             ///< the dual surfaces break a condition for hexahedral blocks
 };
 
 /// The stable name of \p code, e.g. "null_pseudo_area".
@@ -64,6 +69,11 @@ enum class ErrorCode : std::uint8_t {
         case ErrorCode::duplicate_node: return "duplicate_node";
         case ErrorCode::volume_mismatch: return "volume_mismatch";
         case ErrorCode::not_sweepable: return "not_sweepable";
+        case ErrorCode::open_surface: return "open_surface";
+        case ErrorCode::self_intersection: return "self_intersection";
+        case ErrorCode::degenerate_triangle: return "degenerate_triangle";
+        case ErrorCode::tetrahedra_failed: return "tetrahedra_failed";
+        case ErrorCode::invalid_dual: return "invalid_dual";
     }
     return "unknown";
 }

@@ -21,8 +21,9 @@ namespace pavior {
 ///         static corners     quad(const MyMesh&, Index q);   // corners[0..3] convertible to Index
 ///     };
 ///
-/// A tetrahedral mesh has tet_count and tet (4 corners), a hexahedral one hex_count and hex (8 corners) instead.
-/// Plain arrays need none: see QuadMeshView, HexMeshView, QuadMesh, HexMesh (span_mesh.hpp).
+/// A triangle mesh has triangle_count and triangle (3 corners), a tetrahedral one tet_count and tet (4 corners), a
+/// hexahedral one hex_count and hex (8 corners) instead.
+/// Plain arrays need none: see QuadMeshView, HexMesh and their like (span_mesh.hpp).
 template <class M>
 struct mesh_access;
 
@@ -62,6 +63,20 @@ concept hex_mesh = vertex_mesh<M> && requires(const std::remove_cvref_t<M>& m, I
     { mesh_access<std::remove_cvref_t<M>>::hex(m, h) } -> detail::corner_list;
 };
 
+/// M is a triangle_mesh: as quad_mesh with triangle_count(m) and triangle(m, t), three corners.
+template <class M>
+concept triangle_mesh = vertex_mesh<M> && requires(const std::remove_cvref_t<M>& m, Index t) {
+    { mesh_access<std::remove_cvref_t<M>>::triangle_count(m) } -> std::convertible_to<std::size_t>;
+    { mesh_access<std::remove_cvref_t<M>>::triangle(m, t) } -> detail::corner_list;
+};
+
+/// M is a tet_mesh: as quad_mesh with tet_count(m) and tet(m, t), four corners numbered as in TetCorners.
+template <class M>
+concept tet_mesh = vertex_mesh<M> && requires(const std::remove_cvref_t<M>& m, Index t) {
+    { mesh_access<std::remove_cvref_t<M>>::tet_count(m) } -> std::convertible_to<std::size_t>;
+    { mesh_access<std::remove_cvref_t<M>>::tet(m, t) } -> detail::corner_list;
+};
+
 /// Free-function spelling of the access, what algorithms use.
 template <vertex_mesh M>
 [[nodiscard]] std::size_t node_count(const M& mesh) {
@@ -78,6 +93,24 @@ template <quad_mesh M>
 template <quad_mesh M>
 [[nodiscard]] QuadCorners quad(const M& mesh, Index q) {
     const auto& c = mesh_access<M>::quad(mesh, q);
+    return {static_cast<Index>(c[0]), static_cast<Index>(c[1]), static_cast<Index>(c[2]), static_cast<Index>(c[3])};
+}
+template <triangle_mesh M>
+[[nodiscard]] std::size_t triangle_count(const M& mesh) {
+    return static_cast<std::size_t>(mesh_access<M>::triangle_count(mesh));
+}
+template <triangle_mesh M>
+[[nodiscard]] TriCorners triangle(const M& mesh, Index t) {
+    const auto& c = mesh_access<M>::triangle(mesh, t);
+    return {static_cast<Index>(c[0]), static_cast<Index>(c[1]), static_cast<Index>(c[2])};
+}
+template <tet_mesh M>
+[[nodiscard]] std::size_t tet_count(const M& mesh) {
+    return static_cast<std::size_t>(mesh_access<M>::tet_count(mesh));
+}
+template <tet_mesh M>
+[[nodiscard]] TetCorners tet(const M& mesh, Index t) {
+    const auto& c = mesh_access<M>::tet(mesh, t);
     return {static_cast<Index>(c[0]), static_cast<Index>(c[1]), static_cast<Index>(c[2]), static_cast<Index>(c[3])};
 }
 template <hex_mesh M>

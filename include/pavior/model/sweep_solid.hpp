@@ -9,9 +9,9 @@
 #include <pavior/model/face_surface.hpp>
 #include <pavior/model/match_quads.hpp>
 #include <pavior/model/side_grid.hpp>
-#include <pavior/smooth/hexes.hpp>
 #include <pavior/sweep/sweep.hpp>
 #include <pavior/sweep/target_projection.hpp>
+#include <pavior/sweep/untangle_sweep.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -159,54 +159,6 @@ template <brep B>
     return ids;
 }
 
-/// The shapes that the hexahedra of a sweep should have: its source cap extruded straight along its normal by layers of
-/// the mean thickness. Node numbers as in the sweep.
-[[nodiscard]] inline std::vector<Vec3> straight_sweep(const SweepMesh& swept, const Loops& loops) {
-    const std::span<const Vec3> source = swept.level(0);
-    double extent = 0;
-    for (const Vec3& x : source) {
-        extent = std::max(extent, (x - source[0]).stableNorm());
-    }
-    const auto local = [&](Index i) { return Vec3((source[i] - source[0]) / extent); };  // squares must not overflow
-    Vec3 area = Vec3::Zero();
-    for (const QuadCorners& q : swept.quads()) {
-        area += quad_vector_area({local(q[0]), local(q[1]), local(q[2]), local(q[3])});
-    }
-    double length = 0;
-    for (std::size_t k = 0; k < swept.layer_count(); ++k) {
-        for (const Index node : loops.nodes) {
-            length += (swept.level(k + 1)[node] - swept.level(k)[node]).stableNorm();
-        }
-    }
-    const Vec3 step = area.normalized() * (length / static_cast<double>(swept.layer_count() * loops.nodes.size()));
-    std::vector<Vec3> nodes;
-    nodes.reserve(swept.nodes().size());
-    for (std::size_t k = 0; k <= swept.layer_count(); ++k) {
-        for (const Vec3& x : source) {
-            nodes.emplace_back(x + static_cast<double>(k) * step);
-        }
-    }
-    return nodes;
-}
-
-/// Untangles the hexahedra of a sweep with the nodes of its boundary fixed.
-inline SmoothReport untangle_sweep(SweepMesh& swept, const Loops& loops, const Execution& execution) {
-    std::vector<std::uint8_t> fixed(swept.nodes().size(), 0);
-    const std::size_t n = swept.level_size();
-    for (std::size_t k = 0; k <= swept.layer_count(); ++k) {
-        const bool cap = k == 0 || k == swept.layer_count();
-        std::fill_n(fixed.begin() + static_cast<std::ptrdiff_t>(k * n), cap ? n : 0, std::uint8_t{1});
-        for (const Index node : loops.nodes) {
-            fixed[k * n + node] = 1;
-        }
-    }
-    std::vector<HexCorners> hexes(swept.hex_count());
-    swept.hexes(hexes);
-    UntangleOptions options;
-    options.execution = execution;
-    return untangle_hexes(swept.nodes(), hexes, fixed, options, straight_sweep(swept, loops));
-}
-
 /// Adds the inner nodes of a sweep to \p mesh; returns the ids of all its nodes, level by level.
 [[nodiscard]] inline std::vector<Index> store_sweep(BoundaryMesh& mesh, const SweepMesh& swept, const Loops& loops,
                                                     const LevelIds& levels, std::span<const Index> source_ids,
@@ -261,7 +213,7 @@ SolidMesh sweep_solid(const B& b, BoundaryMesh& mesh, const SweepTopology& sweep
 
     SweepResult swept = pavior::sweep(problem, options.sweep);
     if (options.smooth) {
-        result.smooth = detail::untangle_sweep(swept.mesh, problem.loops, options.sweep.execution);
+        result.smooth = untangle_sweep(swept.mesh, problem.loops, options.sweep.execution);
     }
     result.layers = levels.layers;
     result.level_size = problem.source_nodes.size();

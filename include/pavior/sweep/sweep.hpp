@@ -4,6 +4,7 @@
 
 #include <pavior/affine/method.hpp>
 #include <pavior/core/execution.hpp>
+#include <pavior/core/large_array.hpp>
 #include <pavior/core/progress.hpp>
 #include <pavior/mesh/builders.hpp>
 #include <pavior/mesh/verify_quads.hpp>
@@ -136,7 +137,9 @@ inline void report_maps(std::span<const LevelMap> maps, SweepReport& report) {
     PreparedSweep prepared = prepare_sweep(std::move(problem), options);
     const SweepProblem& swept = prepared.layers.problem();
     detail::Stopwatch watch;
-    std::vector<Vec3> nodes(swept.level_size() * (swept.layers + 1));
+    const std::size_t count = swept.level_size() * (swept.layers + 1);
+    std::vector<Vec3> nodes = large_array<Vec3>(count);
+    nodes.resize(count);
     prepared.layers.all_levels(nodes, options.execution, options.progress);
     prepared.report.nodes_seconds = watch.lap();
     return {SweepMesh(std::move(nodes), swept.quads, swept.layers), std::move(prepared.report)};

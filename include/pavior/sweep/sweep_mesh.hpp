@@ -3,6 +3,7 @@
 /// The hexahedral mesh of a sweep: stored nodes, implicit hexahedra.
 
 #include <pavior/core/error.hpp>
+#include <pavior/core/large_array.hpp>
 #include <pavior/mesh/cells.hpp>
 #include <pavior/mesh/mesh_access.hpp>
 
@@ -76,18 +77,15 @@ public:
     [[nodiscard]] HexCorners hex(std::size_t h) const {
         return numbering_.hex(h / quads_.size(), quads_[h % quads_.size()]);
     }
-    /// Writes all hexahedra; O(r q), for those who need the connectivity in memory. \throws InputError size_mismatch
-    void hexes(std::span<HexCorners> out) const {
-        if (out.size() != hex_count()) {
-            throw InputError(ErrorCode::size_mismatch, "the sweep has " + std::to_string(hex_count()) +
-                                                           " hexahedra, not " + std::to_string(out.size()));
-        }
-        auto to = out.begin();
+    /// All hexahedra, for those who need the connectivity in memory. O(r q)
+    [[nodiscard]] std::vector<HexCorners> hexes() const {
+        std::vector<HexCorners> out = large_array<HexCorners>(hex_count());
         for (std::size_t k = 0; k < layer_count(); ++k) {
             for (const QuadCorners& quad : quads_) {
-                *to++ = numbering_.hex(k, quad);
+                out.push_back(numbering_.hex(k, quad));
             }
         }
+        return out;
     }
 
 private:

@@ -34,12 +34,14 @@ public:
           reference_(reference),
           options_(options),
           samples_(sample_count<D>(options.positivity)),
-          unit_(unit_of(nodes)),
-          reference_unit_(unit_of(reference)) {}
+          unit_(unit_of<D>(nodes)),
+          reference_unit_(unit_of<D>(reference)) {}
 
     [[nodiscard]] static bool concurrent() { return true; }
 
-    [[nodiscard]] double quality(Index c) const { return scaled_jacobian<D>(points(nodes_, cells_[c]), samples_); }
+    [[nodiscard]] double quality(Index c) const {
+        return scaled_jacobian<D>(cell_points<D>(nodes_, cells_[c], unit_), samples_);
+    }
 
     /// A corner whose nodes are all fixed is inverted.
     [[nodiscard]] bool hopeless(Index c) const {
@@ -49,7 +51,7 @@ public:
             for (const int n : CellTopology<D>::neighbours[k]) {
                 rigid = rigid && fixed_[cell[static_cast<std::size_t>(n)]] != 0;
             }
-            const Matrix edges = corner_edges<D>(points(nodes_, cell), static_cast<int>(k));
+            const Matrix edges = corner_edges<D>(cell_points<D>(nodes_, cell, unit_), static_cast<int>(k));
             if (rigid && !(scaled_determinant<D>(edges) > inverted_tolerance)) {
                 return true;
             }
@@ -92,23 +94,6 @@ private:
         double size = 1.0;
     };
 
-    /// Power of two next to the extent of the nodes: edges divided by it neither overflow nor underflow.
-    static double unit_of(std::span<const Vector> nodes) {
-        double extent = 0.0;
-        for (const Vector& x : nodes) {
-            extent = std::max(extent, (x - nodes[0]).cwiseAbs().maxCoeff());
-        }
-        return extent > 0.0 ? std::exp2(std::floor(std::log2(extent))) : 1.0;
-    }
-
-    [[nodiscard]] CellPoints<D> points(std::span<const Vector> from, const Corners& cell) const {
-        CellPoints<D> result;
-        for (std::size_t k = 0; k < cell.size(); ++k) {
-            result.col(static_cast<Eigen::Index>(k)) = (from[cell[k]] - from[cell[0]]) / unit_;
-        }
-        return result;
-    }
-
     /// Origin: mean of the nodes of the patch. Size: side of a square or cube with the mean measure of its cells, which
     /// the boundary of the patch determines; from the lengths of the edges where that is not positive.
     [[nodiscard]] Frame frame_of(const Patch<D>& patch) const {
@@ -117,7 +102,7 @@ private:
         double edge = 0.0;
         const double share = 1.0 / static_cast<double>(patch.cells.size());
         for (const Index c : patch.cell_ids) {
-            const CellPoints<D> cell = points(nodes_, cells_[c]);
+            const CellPoints<D> cell = cell_points<D>(nodes_, cells_[c], unit_);
             measure += share * signed_measure<D>(cell);
             edge += share * std::pow(corner_edges<D>(cell, 0).colwise().norm().mean(), D);
         }
@@ -154,7 +139,8 @@ private:
         double sum = 0.0;
         std::size_t good = 0;
         for (std::size_t k = 0; k < edges.size(); ++k) {
-            const CellPoints<D> cell = reference_points(cells_[patch.cell_ids[k / simplices]]);
+            const CellPoints<D> cell =
+                cell_points<D>(reference_, cells_[patch.cell_ids[k / simplices]], reference_unit_);
             edges[k] = simplex_edges<D>(cell, static_cast<int>(k % simplices));
             if (scaled_determinant<D>(edges[k]) > 1e-3) {
                 weight[k] = edges[k].determinant();
@@ -170,14 +156,6 @@ private:
             edges[k] = degenerate ? Matrix::Identity().eval() : (edges[k].inverse() * size).eval();
         }
         energy.set_ideal(std::move(edges), std::move(weight));
-    }
-
-    [[nodiscard]] CellPoints<D> reference_points(const Corners& cell) const {
-        CellPoints<D> result;
-        for (std::size_t k = 0; k < cell.size(); ++k) {
-            result.col(static_cast<Eigen::Index>(k)) = reference_[cell[k]] - reference_[cell[0]];
-        }
-        return result / reference_unit_;
     }
 
     std::span<Vector> nodes_;

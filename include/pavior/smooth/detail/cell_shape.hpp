@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 namespace pavior::detail {
 
@@ -105,6 +106,27 @@ template <int D>
         }
     }
     return corner_edges<D>(points, simplex);
+}
+
+/// Power of two next to the extent of the nodes: edges divided by it neither overflow nor underflow.
+template <int D>
+[[nodiscard]] double unit_of(std::span<const Eigen::Matrix<double, D, 1>> nodes) {
+    double extent = 0.0;
+    for (const auto& x : nodes) {
+        extent = std::max(extent, (x - nodes[0]).cwiseAbs().maxCoeff());
+    }
+    return extent > 0.0 ? std::exp2(std::floor(std::log2(extent))) : 1.0;
+}
+
+/// Corners of a cell relative to the first, divided by \p unit.
+template <int D>
+[[nodiscard]] CellPoints<D> cell_points(std::span<const Eigen::Matrix<double, D, 1>> nodes,
+                                        const CellCorners<D>& corners, double unit) {
+    CellPoints<D> result;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        result.col(static_cast<Eigen::Index>(k)) = (nodes[corners[k]] - nodes[corners[0]]) / unit;
+    }
+    return result;
 }
 
 /// Determinant of the columns scaled to unit length; 0 if one is null.
