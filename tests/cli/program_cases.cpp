@@ -119,6 +119,22 @@ TEST_CASE("an assembly conforms across its shared faces and keeps the names of i
     CHECK(data.quads.size() > report.boundary_quads);
 }
 
+TEST_CASE("IGES files are meshed as the STEP files of the same parts, loose faces too") {
+    const std::string mesh = (scratch() / "iges.vtu").string();
+    for (const std::string part : {"4-4-19", "s15o_cylinder"}) {
+        const std::string step = part == "4-4-19" ? "mfcad/4-4-19.step" : "hexme/s15o_cylinder.stp";
+        REQUIRE(run("sweep " + example(step) + " --size 1 -o " + mesh + " --quiet").code == 0);
+        const auto want = verify_hexes(read_mesh(mesh).mesh);
+        for (const std::string form : {"_faces.igs", "_solid.igs"}) {
+            INFO(part << form);
+            REQUIRE(run("sweep " + example("iges/" + part + form) + " --size 1 -o " + mesh + " --quiet").code == 0);
+            const auto got = verify_hexes(read_mesh(mesh).mesh);
+            CHECK(got.ok());
+            CHECK(got.volume == Approx(want.volume).epsilon(1e-6));
+        }
+    }
+}
+
 TEST_CASE("a size that leaves a cap no quads is made finer, and the user is told") {
     const Outcome outcome =
         run("sweep " + example("mfcad/6-8-8-8-19.step") + " --size 4 -o " + (scratch() / "coarse.vtu").string());
