@@ -62,8 +62,8 @@ namespace detail {
 }  // namespace detail
 
 /// Untangles the hexahedra of a sweep with the nodes of its boundary (caps and loops) fixed; each is to take the shape
-/// that it has in the straight sweep of the source cap. A sweep without inverted hexahedra is only looked at: O(n) time,
-/// no memory. Otherwise as untangle_hexes().
+/// that it has in the straight sweep of the source cap. A sweep without inverted hexahedra is only looked at: O(n)
+/// time, no memory. Otherwise as untangle_hexes().
 /// \param loops  node ids of the source cap on its boundary
 inline SmoothReport untangle_sweep(SweepMesh& swept, const Loops& loops, const Execution& execution = {}) {
     const double least = detail::least_scaled_jacobian(swept);
