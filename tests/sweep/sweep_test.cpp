@@ -126,7 +126,7 @@ TEST_CASE("the four tests of section 3.5") {
         for (std::size_t k = 1; k < c.problem.layers && row.method != AffineMethod::g; ++k) {
             const Vec3 a = result.mesh.level(k)[middle[0]] - result.mesh.level(k)[middle[1]];
             const Vec3 b = result.mesh.level(k)[middle[2]] - result.mesh.level(k)[middle[1]];
-            const double angle = std::acos(a.dot(b) / (a.norm() * b.norm())) * 180 / std::acos(-1.0);
+            const double angle = std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::acos(-1.0);
             const double want = stats.at("angle_mid").at(k).get<double>();
             CHECK(std::min(std::abs(angle - want), std::abs(360 - angle - want)) < 1e-4);
         }
