@@ -1,22 +1,26 @@
 # Which room may include which; read by check_architecture.cmake, a test.
-set(rooms core math mesh affine smooth sweep model cad io)
+set(rooms core math mesh affine smooth dual block sweep model tetra cad io)
 set(may_include_core "")
 set(may_include_math core)
 set(may_include_mesh core math)
 set(may_include_affine core math mesh)
 set(may_include_smooth core math mesh)
+set(may_include_dual core math mesh)
+set(may_include_block core math mesh smooth dual)
 set(may_include_sweep core math mesh affine smooth)
 set(may_include_model core math mesh affine smooth sweep)
+set(may_include_tetra core math mesh)
 set(may_include_cad core math mesh affine smooth sweep model)
-set(may_include_io core math mesh affine smooth sweep model)
+set(may_include_io core math mesh affine smooth dual sweep model)
 
 # Sources: src/<room> includes what the public room includes, that room, and these folders of src.
-set(source_rooms common math cad io cli)
+set(source_rooms common math tetra cad io cli)
 set(may_include_src_common core)
 set(may_include_src_math core math mesh affine) # the affine fits that are compiled once
+set(may_include_src_tetra ${may_include_tetra} tetra)
 set(may_include_src_cad ${may_include_cad} cad src_common)
 set(may_include_src_io ${may_include_io} io src_common)
-set(may_include_src_cli ${rooms})
+set(may_include_src_cli ${rooms} src_common)
 
 # Foreign headers, as regular expressions. Public headers know the standard library and Eigen (never all of it), with
 # one exception; each source folder knows its own packages.
@@ -27,6 +31,7 @@ set(foreign_in_core/large_array.hpp "sys/mman\\.h")
 set(posix "(unistd|fcntl|poll|signal|sys/[a-z]+)\\.h")
 set(foreign_in_src_common "gmsh\\.h|${posix}")
 set(foreign_in_src_math "none")
+set(foreign_in_src_tetra "tetgen\\.h|CGAL/.*|dlfcn\\.h|${posix}")
 set(foreign_in_src_cad "gmsh\\.h|glpk\\.h|${posix}")
 set(foreign_in_src_io "gmsh\\.h|vtk[A-Za-z]*\\.h|nlohmann/json\\.hpp|${posix}")
 set(foreign_in_src_cli "CLI/.*|nlohmann/json\\.hpp|${posix}")

@@ -1,4 +1,4 @@
-# Compiled, optional targets: pavior::math, pavior::io, pavior::cad and the program.
+# Compiled, optional targets: pavior::math, pavior::io, pavior::cad, pavior::tetra and the program.
 
 # pavior_component(name): the static library pavior_<name> of src/<name>/*.cpp, with the alias pavior::<name>.
 function(pavior_component name)
@@ -14,8 +14,8 @@ if(PAVIOR_BUILD_MATH)
   target_compile_definitions(pavior_math PUBLIC PAVIOR_COMPILED_MATH)
 endif()
 
+list(PREPEND CMAKE_MODULE_PATH ${PROJECT_SOURCE_DIR}/cmake)
 if(PAVIOR_BUILD_IO OR PAVIOR_BUILD_CAD)
-  list(PREPEND CMAKE_MODULE_PATH ${PROJECT_SOURCE_DIR}/cmake)
   find_package(Gmsh REQUIRED MODULE)
 endif()
 
@@ -24,13 +24,27 @@ if(PAVIOR_BUILD_IO)
   find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOXML IOLegacy)
   pavior_component(io)
   find_package(nlohmann_json REQUIRED)
-  target_link_libraries(pavior_io PRIVATE Gmsh::Gmsh $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> VTK::CommonCore VTK::CommonDataModel VTK::IOXML VTK::IOLegacy)
+  target_link_libraries(pavior_io PRIVATE Gmsh::Gmsh $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> VTK::CommonCore
+                                          VTK::CommonDataModel VTK::IOXML VTK::IOLegacy)
 endif()
 
 if(PAVIOR_BUILD_CAD)
   find_package(GLPK REQUIRED MODULE)
   pavior_component(cad)
   target_link_libraries(pavior_cad PRIVATE Gmsh::Gmsh GLPK::GLPK)
+endif()
+
+if(PAVIOR_BUILD_TETRA)
+  find_package(TetGen REQUIRED MODULE)
+  set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+  find_package(CGAL 5.5 REQUIRED)
+  pavior_component(tetra)
+  # TetGen is loaded when it is needed, never linked: its symbols are those of the TetGen within Gmsh.
+  target_include_directories(pavior_tetra SYSTEM PRIVATE ${TETGEN_INCLUDE_DIR})
+  target_link_libraries(pavior_tetra PRIVATE CGAL::CGAL ${CMAKE_DL_LIBS})
+  target_compile_definitions(pavior_tetra PRIVATE TETLIBRARY PAVIOR_TETGEN_SONAME="${TETGEN_SONAME}"
+                                                  PAVIOR_TETGEN_LIBRARY="${TETGEN_LIBRARY}")
+  target_compile_definitions(pavior_tetra PRIVATE CGAL_NDEBUG) # the same outcome in every build
 endif()
 
 if(PAVIOR_BUILD_CLI)
@@ -41,7 +55,7 @@ if(PAVIOR_BUILD_CLI)
   list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/src/cli/main.cpp)
   add_library(pavior_commands STATIC ${sources})
   target_include_directories(pavior_commands PUBLIC src)
-  target_link_libraries(pavior_commands PUBLIC pavior_io pavior_cad CLI11::CLI11 nlohmann_json::nlohmann_json
+  target_link_libraries(pavior_commands PUBLIC pavior_io pavior_cad pavior_tetra CLI11::CLI11 nlohmann_json::nlohmann_json
                                         PRIVATE pavior_warnings)
   if(PAVIOR_BUILD_MATH)
     target_link_libraries(pavior_commands PUBLIC pavior_math)

@@ -50,6 +50,8 @@ struct GmshBrep::Data {
     }
 };
 
+bool can_read_cad(const std::filesystem::path& file) { return !detail::cad_format(file).empty(); }
+
 GmshBrep::GmshBrep(std::unique_ptr<Data> data) : data_(std::move(data)) {}
 GmshBrep::GmshBrep(GmshBrep&&) noexcept = default;
 GmshBrep& GmshBrep::operator=(GmshBrep&&) noexcept = default;

@@ -1,8 +1,9 @@
 #include "gmsh_import.hpp"
 
+#include "../common/file_extension.hpp"
+
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -16,25 +17,6 @@
 namespace pavior::detail {
 
 namespace {
-
-std::string lower_extension(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
-
-/// "step", "iges", "brep", or empty.
-std::string cad_format(const std::filesystem::path& file) {
-    const std::string extension = lower_extension(file);
-    if (extension == ".step" || extension == ".stp") {
-        return "step";
-    }
-    if (extension == ".iges" || extension == ".igs") {
-        return "iges";
-    }
-    return extension == ".brep" ? "brep" : "";
-}
 
 gmsh::vectorpair entities(int dim) {
     gmsh::vectorpair list;
@@ -133,6 +115,17 @@ std::string child_verdict(const std::string& text, int status) {
 }
 
 }  // namespace
+
+std::string cad_format(const std::filesystem::path& file) {
+    const std::string extension = file_extension(file);
+    if (extension == ".step" || extension == ".stp") {
+        return "step";
+    }
+    if (extension == ".iges" || extension == ".igs") {
+        return "iges";
+    }
+    return extension == ".brep" ? "brep" : "";
+}
 
 void check_cad_file(const std::filesystem::path& file) {
     std::error_code failure;

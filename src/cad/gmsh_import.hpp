@@ -14,6 +14,9 @@ namespace pavior::detail {
 /// Names of faces and solids by {dim, tag}.
 using EntityNames = std::map<std::pair<int, int>, std::string>;
 
+/// "step", "iges" or "brep" by the ending of \p file; empty for any other.
+std::string cad_format(const std::filesystem::path& file);
+
 /// FileError unless \p file is a regular, readable, non-empty file with one of the known endings.
 void check_cad_file(const std::filesystem::path& file);
 

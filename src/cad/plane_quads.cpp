@@ -1,6 +1,7 @@
 #include "plane_quads.hpp"
 
 #include "gmsh_model.hpp"
+#include "gmsh_options.hpp"
 
 #include <pavior/mesh/boundary_loops.hpp>
 #include <pavior/mesh/span_mesh.hpp>
@@ -18,31 +19,6 @@ namespace pavior::detail {
 namespace {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// Sets options of Gmsh and puts the old values back.
-class GmshOptions {
-public:
-    GmshOptions() = default;
-    GmshOptions(const GmshOptions&) = delete;
-    GmshOptions& operator=(const GmshOptions&) = delete;
-    ~GmshOptions() {
-        for (const auto& [name, value] : old_) {
-            try {
-                gmsh::option::setNumber(name, value);
-            } catch (...) {  // it could be read, so it can be set
-            }
-        }
-    }
-    void set(const std::string& name, double value) {
-        double old = 0;
-        gmsh::option::getNumber(name, old);
-        old_.emplace_back(name, old);
-        gmsh::option::setNumber(name, value);
-    }
-
-private:
-    std::vector<std::pair<std::string, double>> old_;
-};
 
 void set_common_options(GmshOptions& options, double size) {
     options.set("General.AbortOnError", 0);  // it throws inside a parallel region, which ends the process

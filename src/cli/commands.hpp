@@ -3,6 +3,7 @@
 #include "exit_code.hpp"
 
 #include <pavior/affine/method.hpp>
+#include <pavior/block/marking.hpp>
 #include <pavior/sweep/boundary_error.hpp>
 #include <pavior/sweep/level_map.hpp>
 
@@ -10,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace pavior::cli {
 
@@ -30,6 +32,21 @@ struct SweepCommand {
     bool keep_invalid = false;
 };
 
+/// Options of `pavior block`.
+struct BlockCommand {
+    std::string input, output;
+    double size = 0;  ///< 0: blocks only
+    Marking marking = Marking::sheets;
+    Propagation propagation = Propagation::full;
+    double mu = 0.1;                     ///< where the dual surfaces are drawn
+    std::vector<double> feature_angles;  ///< end below, corner above, reversal above; empty: the default
+    std::string dual;
+    unsigned threads = 0;  ///< 0: one a core
+    std::string report;
+    bool quiet = false;
+    bool keep_invalid = false;
+};
+
 /// Options of `pavior quality`.
 struct QualityCommand {
     std::string mesh;
@@ -38,6 +55,7 @@ struct QualityCommand {
 };
 
 ExitCode run_sweep(const SweepCommand& command);
+ExitCode run_block(const BlockCommand& command);
 ExitCode run_quality(const QualityCommand& command);
 
 }  // namespace pavior::cli

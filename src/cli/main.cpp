@@ -82,6 +82,33 @@ void add_sweep(CLI::App& app, SweepCommand& command, std::vector<std::string>& l
     app.add_flag("--keep-invalid", command.keep_invalid, "write the mesh even if it is not valid (exit code 1)");
 }
 
+void add_block(CLI::App& app, BlockCommand& command) {
+    app.add_option(
+           "input", command.input,
+           "closed surface (.stl .obj .off .ply), CAD model (.step .stp .iges .igs .brep) or tetrahedra (.vtk .vtu "
+           ".msh)")
+        ->required();
+    app.add_option("-o,--output", command.output, "mesh to write (.vtu .vtk .msh .inp)")->required();
+    app.add_option("--size", command.size,
+                   "write a fine mesh on the geometry with edges of this length; default: the blocks themselves")
+        ->check(CLI::PositiveNumber);
+    add_choice(
+        app, "--marking", command.marking, {{"sheets", Marking::sheets}, {"published", Marking::published}},
+        "implicit sheets that cut the tetrahedra (sheets, default), or existing faces, Algorithm 5.12 (published)");
+    add_choice(app, "--propagation", command.propagation, {{"full", Propagation::full}, {"stop", Propagation::stop}},
+               "sheets run on to the boundary (full, default) or to existing curves (stop: fewer blocks)");
+    app.add_option("--mu", command.mu, "where --dual draws the dual surfaces, between 0 and 1/4; default 0.1");
+    app.add_option("--feature-angles", command.feature_angles,
+                   "interior dihedral angles in degrees: end below, corner from, reversal from; default 135,225,315")
+        ->delimiter(',')
+        ->expected(3);
+    app.add_option("--dual", command.dual, "write dual surfaces and regions to look at (.vtu .vtk)");
+    app.add_option("--threads", command.threads, "threads, 0: one a core; the blocks do not depend on it");
+    app.add_option("--report", command.report, "write a report in JSON");
+    app.add_flag("--quiet", command.quiet, "print nothing but errors and warnings");
+    app.add_flag("--keep-invalid", command.keep_invalid, "write the mesh even if it is not valid (exit code 1)");
+}
+
 ExitCode run(int argc, char** argv) {
     CLI::App app(
         "pavior fills solids with hexahedra.\n"
@@ -91,6 +118,9 @@ ExitCode run(int argc, char** argv) {
     std::vector<std::string> local_sizes;
     CLI::App& sweep_app = *app.add_subcommand("sweep", "hexahedra for one-to-one sweepable solids");
     add_sweep(sweep_app, sweep, local_sizes);
+    BlockCommand block;
+    CLI::App& block_app = *app.add_subcommand("block", "hexahedral blocks of a solid, or a fine mesh inside them");
+    add_block(block_app, block);
     QualityCommand quality;
     CLI::App& quality_app = *app.add_subcommand("quality", "quality and conformity of a hexahedral mesh");
     quality_app.add_option("mesh", quality.mesh, "mesh (.vtu .vtk .msh .inp)")->required();
@@ -103,6 +133,9 @@ ExitCode run(int argc, char** argv) {
     }
     if (quality_app.parsed()) {
         return run_quality(quality);
+    }
+    if (block_app.parsed()) {
+        return run_block(block);
     }
     for (const std::string& text : local_sizes) {
         add_local_size(text, sweep);

@@ -1,15 +1,14 @@
+#include "../common/file_extension.hpp"
 #include "check.hpp"
 #include "commands.hpp"
 #include "progress_bar.hpp"
 #include "report_file.hpp"
 #include "swept.hpp"
 
+#include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/core/error.hpp>
+#include <pavior/core/stopwatch.hpp>
 
-#include <algorithm>
-#include <cctype>
-#include <chrono>
-#include <filesystem>
 #include <iostream>
 
 namespace pavior::cli {
@@ -17,13 +16,6 @@ namespace pavior::cli {
 namespace {
 
 using Json = nlohmann::json;
-
-std::string extension(const std::string& file) {
-    std::string result = std::filesystem::path(file).extension().string();
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
-}
 
 /// Options that mean nothing for the input at hand are mistakes.
 void check_options(const SweepCommand& command, bool problem) {
@@ -82,21 +74,20 @@ ExitCode finish(const SweepCommand& command, Swept& swept, double seconds) {
 }  // namespace
 
 ExitCode run_sweep(const SweepCommand& command) {
-    const std::string ext = extension(command.input);
-    const bool problem = ext == ".json";
-    if (!problem && ext != ".step" && ext != ".stp" && ext != ".iges" && ext != ".igs" && ext != ".brep") {
+    const bool problem = detail::file_extension(command.input) == ".json";
+    if (!problem && !can_read_cad(command.input)) {
         throw FileError(command.input, "unknown input format; known are .step .stp .iges .igs .brep .json");
     }
     if (!can_write_mesh(command.output)) {
         throw FileError(command.output, "unknown mesh format; known are .vtu .vtk .msh .inp");
     }
     check_options(command, problem);
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     Swept swept = [&] {
         ProgressBar bar(command.quiet);
         return problem ? sweep_problem_file(command, bar.sink()) : sweep_cad_file(command, bar.sink());
     }();
-    return finish(command, swept, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    return finish(command, swept, watch.total());
 }
 
 }  // namespace pavior::cli

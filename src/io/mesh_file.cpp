@@ -3,10 +3,9 @@
 #include <pavior/core/error.hpp>
 #include <pavior/io/atomic_file.hpp>
 
+#include "../common/file_extension.hpp"
 #include "formats.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 namespace pavior {
@@ -14,13 +13,6 @@ namespace pavior {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string extension(std::string_view file) {
-    std::string result = fs::path(file).extension().string();
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
-}
 
 void check_groups(const HexMeshData& data) {
     const auto fits = [](std::size_t groups, std::size_t cells) { return groups == 0 || groups == cells; };
@@ -52,7 +44,7 @@ void check_ids(const std::string& file, const HexMeshData& data) {
 }  // namespace
 
 bool can_write_mesh(std::string_view file) {
-    const std::string ext = extension(file);
+    const std::string ext = detail::file_extension(file);
     return ext == ".vtu" || ext == ".vtk" || ext == ".msh" || ext == ".inp";
 }
 
@@ -61,7 +53,7 @@ void write_mesh(const std::string& file, const HexMeshData& data) {
         unknown_extension(file);
     }
     check_groups(data);
-    const std::string ext = extension(file);
+    const std::string ext = detail::file_extension(file);
     write_atomically(file, [&](const std::string& temporary) {
         if (ext == ".msh") {
             io::write_gmsh(temporary, data);
@@ -81,7 +73,7 @@ HexMeshData read_mesh(const std::string& file) {
     if (fs::is_directory(file, error)) {
         throw FileError(file, "is a directory");
     }
-    const std::string ext = extension(file);
+    const std::string ext = detail::file_extension(file);
     HexMeshData data = [&] {
         if (ext == ".msh") {
             return io::read_gmsh(file);

@@ -1,26 +1,18 @@
 #include "formats.hpp"
+#include "vtk_grid.hpp"
 
 #include <pavior/core/error.hpp>
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkCommand.h>
-#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkIntArray.h>
-#include <vtkLogger.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
-#include <vtkPoints.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkUnstructuredGridReader.h>
-#include <vtkUnstructuredGridWriter.h>
-#include <vtkXMLUnstructuredGridReader.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <cstdlib>
 #include <sstream>
@@ -28,31 +20,6 @@
 namespace pavior::io {
 
 namespace {
-
-/// Keeps the first error message of a VTK object instead of printing it.
-class ErrorCatcher : public vtkCommand {
-public:
-    static ErrorCatcher* New() { return new ErrorCatcher; }  // NOLINT(readability-identifier-naming): VTK's contract
-    void Execute(vtkObject* /*caller*/, unsigned long /*event*/, void* data) override {
-        if (message.empty()) {
-            message = data != nullptr ? static_cast<const char*>(data) : "unknown error";
-        }
-    }
-    std::string message;
-};
-
-vtkSmartPointer<vtkPoints> make_points(const std::vector<Vec3>& nodes) {
-    vtkNew<vtkDoubleArray> coordinates;
-    coordinates->SetNumberOfComponents(3);
-    coordinates->SetNumberOfTuples(static_cast<vtkIdType>(nodes.size()));
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        coordinates->SetTypedTuple(static_cast<vtkIdType>(i), nodes[i].data());
-    }
-    auto points = vtkSmartPointer<vtkPoints>::New();
-    points->SetDataTypeToDouble();
-    points->SetData(coordinates);
-    return points;
-}
 
 /// Name, dimension and number of a group, as one string: "3 1 bolt".
 vtkSmartPointer<vtkStringArray> make_group_names(const HexMeshData& data) {
@@ -87,33 +54,6 @@ vtkSmartPointer<vtkUnstructuredGrid> make_grid(const HexMeshData& data) {
         grid->GetFieldData()->AddArray(make_group_names(data));
     }
     return grid;
-}
-
-/// VTK's internals (the XML parser, the pipeline) log to stderr whatever observers are there; not while this lives.
-class SilentLog {
-public:
-    SilentLog() { vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); }
-    SilentLog(const SilentLog&) = delete;
-    SilentLog& operator=(const SilentLog&) = delete;
-    ~SilentLog() { vtkLogger::SetStderrVerbosity(before_); }
-
-private:
-    vtkLogger::Verbosity before_ = vtkLogger::GetCurrentVerbosityCutoff();
-};
-
-template <class Process>
-void run(const std::string& file, Process& process, const char* what) {
-    const SilentLog silent;
-    const vtkNew<ErrorCatcher> errors;
-    process.AddObserver(vtkCommand::ErrorEvent, errors);
-    process.SetFileName(file.c_str());
-    process.Update();
-    if (!errors->message.empty()) {
-        throw FileError(file, what + errors->message);
-    }
-    if (process.GetErrorCode() != 0) {
-        throw FileError(file, what + ("VTK error " + std::to_string(process.GetErrorCode())));
-    }
 }
 
 void read_cells(const std::string& file, vtkUnstructuredGrid& grid, HexMeshData& data) {
@@ -157,37 +97,11 @@ void read_group_names(vtkUnstructuredGrid& grid, HexMeshData& data) {
 
 void write_vtk(const std::string& file, const HexMeshData& data, bool xml) {
     const vtkSmartPointer<vtkUnstructuredGrid> grid = make_grid(data);
-    if (xml) {
-        vtkNew<vtkXMLUnstructuredGridWriter> writer;
-        writer->SetInputData(grid);
-        writer->SetDataModeToAppended();
-        writer->EncodeAppendedDataOff();
-        run(file, *writer, "VTK cannot write: ");
-    } else {
-        vtkNew<vtkUnstructuredGridWriter> writer;
-        writer->SetInputData(grid);
-        writer->SetFileTypeToBinary();
-        writer->SetHeader("hexahedral mesh by pavior");
-        run(file, *writer, "VTK cannot write: ");
-    }
+    write_grid(file, *grid, xml, "hexahedral mesh by pavior");
 }
 
 HexMeshData read_vtk(const std::string& file, bool xml) {
-    vtkSmartPointer<vtkUnstructuredGrid> grid;
-    const auto read = [&](auto& reader) {
-        run(file, reader, "VTK cannot read it: ");
-        grid = reader.GetOutput();
-    };
-    if (xml) {
-        vtkNew<vtkXMLUnstructuredGridReader> reader;
-        read(*reader);
-    } else {
-        vtkNew<vtkUnstructuredGridReader> reader;
-        read(*reader);
-    }
-    if (grid == nullptr || grid->GetNumberOfPoints() == 0) {
-        throw FileError(file, "holds no points");
-    }
+    const vtkSmartPointer<vtkUnstructuredGrid> grid = read_grid(file, xml);
     HexMeshData data;
     data.mesh.nodes.resize(static_cast<std::size_t>(grid->GetNumberOfPoints()));
     for (std::size_t i = 0; i < data.mesh.nodes.size(); ++i) {

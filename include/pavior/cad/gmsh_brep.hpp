@@ -28,6 +28,9 @@ struct CadOptions {
     double trial_seconds = 300;
 };
 
+/// Whether the name of \p file ends as that of a CAD file: .step, .stp, .iges, .igs or .brep, in any case.
+[[nodiscard]] bool can_read_cad(const std::filesystem::path& file);
+
 /// The solids of a CAD model and the faces, edges and vertices that bound them. Models brep.
 ///
 /// Units are those of Gmsh: STEP and IGES lengths in the unit of the file's geometry as OpenCASCADE converts it

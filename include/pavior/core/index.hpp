@@ -5,11 +5,15 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace pavior {
 
 /// Id of a node or cell in a mesh: 0-based, dense.
 using Index = std::uint32_t;
+
+/// No node or cell.
+inline constexpr Index no_index = std::numeric_limits<Index>::max();
 
 /// The half-open range of ids [first, last), iterable and sized. (clang 14 cannot compile std::views::iota.)
 class IndexRange {

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Meshes kept as Eigen matrices: V (nodes by 3), F (quads by 4) or H (hexahedra by 8).
+/// Meshes kept as Eigen matrices: V (nodes by 3) and F (quads by 4, triangles by 3), T (tetrahedra by 4) or H
+/// (hexahedra by 8).
 
 #include <pavior/core/error.hpp>
 #include <pavior/mesh/mesh_access.hpp>
@@ -97,6 +98,28 @@ public:
     EigenHexMesh(const DerivedV&&, const DerivedH&&) = delete;
 };
 
+/// Triangle mesh over the user's matrices: row t of F has the three corners of triangle t. Otherwise as EigenQuadMesh.
+template <class DerivedV, class DerivedF>
+class EigenTriMesh : public detail::EigenMesh<DerivedV, DerivedF, 3> {
+public:
+    EigenTriMesh(const DerivedV& nodes, const DerivedF& triangles)
+        : detail::EigenMesh<DerivedV, DerivedF, 3>(nodes, triangles) {}
+    EigenTriMesh(const DerivedV&&, const DerivedF&) = delete;
+    EigenTriMesh(const DerivedV&, const DerivedF&&) = delete;
+    EigenTriMesh(const DerivedV&&, const DerivedF&&) = delete;
+};
+
+/// Tetrahedral mesh over the user's matrices: row t of T has the four corners of tetrahedron t. Otherwise as
+/// EigenQuadMesh.
+template <class DerivedV, class DerivedT>
+class EigenTetMesh : public detail::EigenMesh<DerivedV, DerivedT, 4> {
+public:
+    EigenTetMesh(const DerivedV& nodes, const DerivedT& tets) : detail::EigenMesh<DerivedV, DerivedT, 4>(nodes, tets) {}
+    EigenTetMesh(const DerivedV&&, const DerivedT&) = delete;
+    EigenTetMesh(const DerivedV&, const DerivedT&&) = delete;
+    EigenTetMesh(const DerivedV&&, const DerivedT&&) = delete;
+};
+
 template <class V, class F>
 struct mesh_access<EigenQuadMesh<V, F>> {
     static std::size_t node_count(const EigenQuadMesh<V, F>& m) { return m.node_count(); }
@@ -111,6 +134,22 @@ struct mesh_access<EigenHexMesh<V, H>> {
     static Vec3 node(const EigenHexMesh<V, H>& m, Index i) { return m.node(i); }
     static std::size_t hex_count(const EigenHexMesh<V, H>& m) { return m.cell_count(); }
     static HexCorners hex(const EigenHexMesh<V, H>& m, Index h) { return m.cell(h); }
+};
+
+template <class V, class F>
+struct mesh_access<EigenTriMesh<V, F>> {
+    static std::size_t node_count(const EigenTriMesh<V, F>& m) { return m.node_count(); }
+    static Vec3 node(const EigenTriMesh<V, F>& m, Index i) { return m.node(i); }
+    static std::size_t triangle_count(const EigenTriMesh<V, F>& m) { return m.cell_count(); }
+    static TriCorners triangle(const EigenTriMesh<V, F>& m, Index t) { return m.cell(t); }
+};
+
+template <class V, class T>
+struct mesh_access<EigenTetMesh<V, T>> {
+    static std::size_t node_count(const EigenTetMesh<V, T>& m) { return m.node_count(); }
+    static Vec3 node(const EigenTetMesh<V, T>& m, Index i) { return m.node(i); }
+    static std::size_t tet_count(const EigenTetMesh<V, T>& m) { return m.cell_count(); }
+    static TetCorners tet(const EigenTetMesh<V, T>& m, Index t) { return m.cell(t); }
 };
 
 }  // namespace pavior

@@ -6,6 +6,7 @@
 #include <pavior/core/execution.hpp>
 #include <pavior/core/large_array.hpp>
 #include <pavior/core/progress.hpp>
+#include <pavior/core/stopwatch.hpp>
 #include <pavior/mesh/builders.hpp>
 #include <pavior/mesh/verify_quads.hpp>
 #include <pavior/sweep/boundary_error.hpp>
@@ -16,7 +17,6 @@
 #include <pavior/sweep/sweep_mesh.hpp>
 #include <pavior/sweep/verify_problem.hpp>
 
-#include <chrono>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -50,18 +50,6 @@ struct PreparedSweep {
 };
 
 namespace detail {
-
-/// Seconds since the last call.
-class Stopwatch {
-public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 /// Notices about the problem itself.
 inline void report_problem(const SweepProblem& problem, SweepReport& report) {
@@ -111,7 +99,7 @@ inline void report_maps(std::span<const LevelMap> maps, SweepReport& report) {
 /// O(n + quads + m r) time and memory, plus the factorisation if `harmonic`.
 [[nodiscard]] inline PreparedSweep prepare_sweep(SweepProblem problem, const SweepOptions& options = {}) {
     SweepReport report;
-    detail::Stopwatch watch;
+    Stopwatch watch;
     pavior::report(options.progress, "verify", 0);
     require_valid(problem, options.verify);
     detail::report_problem(problem, report);
@@ -136,7 +124,7 @@ inline void report_maps(std::span<const LevelMap> maps, SweepReport& report) {
     SweepNumbering{problem.level_size(), problem.layers}.check(problem.quads.size());
     PreparedSweep prepared = prepare_sweep(std::move(problem), options);
     const SweepProblem& swept = prepared.layers.problem();
-    detail::Stopwatch watch;
+    Stopwatch watch;
     const std::size_t count = swept.level_size() * (swept.layers + 1);
     std::vector<Vec3> nodes = large_array<Vec3>(count);
     nodes.resize(count);

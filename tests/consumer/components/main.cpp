@@ -1,7 +1,8 @@
-// A program that links the compiled components: an integer program, a mesh file, a decomposition.
+// A program that links the compiled components: an integer program, a mesh file, a decomposition, tetrahedra.
 #include <pavior/io/mesh_file.hpp>
 #include <pavior/math/small_svd.hpp>
 #include <pavior/model/integer_program.hpp>
+#include <pavior/tetra/tetrahedralize.hpp>
 
 #include <array>
 #include <cstdio>
@@ -34,6 +35,12 @@ int main() {
     const pavior::SmallSvd<double, 3, 3> svd = pavior::small_svd<double, 3, 3>(Eigen::Vector3d(2, -5, 3).asDiagonal());
     const double error = (svd.w - Eigen::Vector3d(5, 3, 2)).norm();
 
-    std::printf("integer program %d, files %d, error %.1e\n", solved, same, error);
-    return solved && same && error < 1e-14 ? 0 : 1;
+    // tetra: a tetrahedron is filled with itself.
+    pavior::TaggedSurface surface;
+    surface.mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    surface.mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    const bool filled = pavior::tetrahedralize(surface).mesh.tets.size() == 1;
+
+    std::printf("integer program %d, files %d, error %.1e, filled %d\n", solved, same, error, filled);
+    return solved && same && filled && error < 1e-14 ? 0 : 1;
 }

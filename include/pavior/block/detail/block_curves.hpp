@@ -1,0 +1,83 @@
+#pragma once
+/// \file
+/// The edges and boundary quads of blocks as curves and patches of the geometry.
+
+#include <pavior/block/block_geometry.hpp>
+#include <pavior/block/block_mesh.hpp>
+#include <pavior/block/place_blocks.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace pavior::detail {
+
+template <class T>
+[[nodiscard]] T bilinear(const std::array<T, 4>& x, double u, double v) {
+    return (1.0 - v) * ((1.0 - u) * x[0] + u * x[1]) + v * ((1.0 - u) * x[3] + u * x[2]);
+}
+
+/// Where edges and quads of placed blocks run.
+class BlockCurves {
+public:
+    BlockCurves(const BlockMesh& blocks, const BlockGeometry& geometry, const BlockPlacement& placement)
+        : blocks_(blocks), geometry_(geometry), placement_(placement) {}
+
+    /// A point of edge \p e at the fraction \p s of it, on the chain or patch that it lies in.
+    [[nodiscard]] Vec3 edge_point(Index e, double s) const {
+        const auto [low, high] = blocks_.edges[e];
+        const BlockNode& node = blocks_.nodes[high];
+        if (node.dimension == 1) {
+            const double from = geometry_.chain_ends[node.id][0] == blocks_.nodes[low].id ? 0.0 : 1.0;
+            return geometry_.chains[node.id].at((1.0 - s) * from + s * placement_.parameters[high][0]);
+        }
+        if (node.dimension == 2) {
+            return geometry_.patches[node.id].at((1.0 - s) * chain_place(node.id, blocks_.nodes[low].id) +
+                                                 s * placement_.parameters[high].head<2>());
+        }
+        return (1.0 - s) * placement_.positions[low] + s * placement_.positions[high];
+    }
+
+    /// Length along the geometry, up to the sag of 16 pieces.
+    [[nodiscard]] double edge_length(Index e) const {
+        constexpr int pieces = 16;
+        double length = 0.0;
+        Vec3 last = edge_point(e, 0.0);
+        for (int i = 1; i <= pieces; ++i) {
+            const Vec3 next = edge_point(e, static_cast<double>(i) / pieces);
+            length += (next - last).norm();
+            last = next;
+        }
+        return length;
+    }
+
+    /// The corners of a quad on a patch in the polygon of this.
+    [[nodiscard]] std::array<Vec2, 4> places(Index q) const {
+        const QuadCorners& c = blocks_.quads[q];
+        const Index patch = blocks_.nodes[c[2]].id;
+        const auto& sides = geometry_.patch_sides[patch];
+        const Index vertex = blocks_.nodes[c[0]].id;
+        const auto side =
+            std::find_if(sides.begin(), sides.end(), [&](const PatchSide& s) { return s.vertex == vertex; });
+        return {geometry_.patches[patch].polygon()[static_cast<std::size_t>(side - sides.begin())],
+                chain_place(patch, blocks_.nodes[c[1]].id), placement_.parameters[c[2]].head<2>(),
+                chain_place(patch, blocks_.nodes[c[3]].id)};
+    }
+
+private:
+    /// Where the node of a chain lies in the polygon of a patch on it.
+    [[nodiscard]] Vec2 chain_place(Index patch, Index chain) const {
+        const auto& sides = geometry_.patch_sides[patch];
+        const auto side =
+            std::find_if(sides.begin(), sides.end(), [&](const PatchSide& s) { return s.chain == chain; });
+        const double t = placement_.parameters[blocks_.node(1, chain)][0];
+        return geometry_.patches[patch].side(static_cast<std::size_t>(side - sides.begin()),
+                                             side->reversed ? 1.0 - t : t);
+    }
+
+    const BlockMesh& blocks_;
+    const BlockGeometry& geometry_;
+    const BlockPlacement& placement_;
+};
+
+}  // namespace pavior::detail

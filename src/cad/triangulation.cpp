@@ -1,0 +1,360 @@
+#include <pavior/cad/triangulation.hpp>
+
+#include <pavior/core/error.hpp>
+
+#include "gmsh_import.hpp"
+#include "gmsh_model.hpp"
+#include "gmsh_options.hpp"
+#include "orient_shells.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+namespace pavior {
+
+namespace {
+
+constexpr int line_type = 1;
+constexpr int triangle_type = 2;
+
+gmsh::vectorpair entities(int dimension) {
+    gmsh::vectorpair list;
+    gmsh::model::getEntities(list, dimension);
+    return list;
+}
+
+/// Tags of what bounds an entity, seams twice.
+std::vector<int> boundary(int dimension, int tag) {
+    gmsh::vectorpair list;
+    gmsh::model::getBoundary({{dimension, tag}}, list, false, false, false);
+    std::vector<int> tags;
+    for (const auto& entity : list) {
+        tags.push_back(entity.second);
+    }
+    return tags;
+}
+
+[[noreturn]] void fail(const std::string& message, const std::set<int>& faces = {}) {
+    std::string text = message;
+    for (const int face : faces) {
+        text += (face == *faces.begin() ? ": face " : ", ") + std::to_string(face);
+    }
+    throw Error(ErrorCode::cad_failure, text, Error::Ids(faces.begin(), faces.end()));
+}
+
+void check_options(const TriangulationOptions& options) {
+    const auto limit = [](double value) { return value >= 0.0 && std::isfinite(value); };
+    if (!limit(options.size) || !limit(options.chord) || options.per_turn < 3 || options.per_turn > 10000) {
+        throw InputError(ErrorCode::bad_option, "size and chord must be 0 or positive, per_turn between 3 and 10000");
+    }
+}
+
+double model_diagonal() {
+    std::array<double, 6> box{};
+    gmsh::model::getBoundingBox(-1, -1, box[0], box[1], box[2], box[3], box[4], box[5]);
+    return Vec3(box[3] - box[0], box[4] - box[1], box[5] - box[2]).norm();
+}
+
+bool is_plane(int face) {
+    std::string kind;
+    gmsh::model::getType(2, face, kind);
+    return kind == "Plane";
+}
+
+// ---- meshing ------------------------------------------------------------------------------------------------------
+
+void generate(double size, int per_turn) {
+    detail::GmshOptions options;
+    options.set("General.AbortOnError", 0);  // it throws inside a parallel region, which ends the process
+    options.set("General.NumThreads", 1);
+    options.set("Mesh.RandomSeed", 1);
+    options.set("Mesh.ElementOrder", 1);
+    options.set("Mesh.SubdivisionAlgorithm", 0);
+    options.set("Mesh.RecombineAll", 0);
+    options.set("Mesh.MeshOnlyVisible", 0);
+    options.set("Mesh.MeshOnlyEmpty", 0);
+    options.set("Mesh.MeshSizeFromPoints", 0);
+    options.set("Mesh.MeshSizeFromCurvature", per_turn);
+    options.set("Mesh.MeshSizeExtendFromBoundary", 1);
+    options.set("Mesh.MeshSizeMin", 0);
+    options.set("Mesh.MeshSizeMax", size > 0.0 ? size : 1e22);
+    gmsh::model::mesh::clear();
+    for (const auto& face : entities(2)) {
+        constexpr int initial_only = 3;
+        constexpr int frontal = 6;
+        gmsh::model::mesh::setAlgorithm(2, face.second, size > 0.0 || !is_plane(face.second) ? frontal : initial_only);
+    }
+    gmsh::model::mesh::generate(2);
+}
+
+/// Elements of one type on an entity: node tags, so many an element.
+std::vector<std::size_t> elements(int type, int tag) {
+    std::vector<std::size_t> names;
+    std::vector<std::size_t> nodes;
+    gmsh::model::mesh::getElementsByType(type, names, nodes, tag);
+    return nodes;
+}
+
+/// Coordinates by node tag.
+std::map<std::size_t, Vec3> mesh_nodes() {
+    std::vector<std::size_t> tags;
+    std::vector<double> x;
+    std::vector<double> parameters;
+    gmsh::model::mesh::getNodes(tags, x, parameters, -1, -1, false, false);
+    std::map<std::size_t, Vec3> nodes;
+    for (std::size_t i = 0; i < tags.size(); ++i) {
+        nodes.emplace(tags[i], Vec3(x[3 * i], x[3 * i + 1], x[3 * i + 2]));
+    }
+    return nodes;
+}
+
+/// Largest distance of edge middles and triangle centres from the faces they belong to. Plane faces have none.
+double largest_chord() {
+    const std::map<std::size_t, Vec3> nodes = mesh_nodes();
+    double worst = 0.0;
+    for (const auto& face : entities(2)) {
+        if (is_plane(face.second)) {
+            continue;
+        }
+        std::vector<double> probes;
+        const auto probe = [&](const Vec3& x) { probes.insert(probes.end(), x.data(), x.data() + 3); };
+        const std::vector<std::size_t> corners = elements(triangle_type, face.second);
+        for (std::size_t i = 0; i < corners.size(); i += 3) {
+            const std::array<Vec3, 3> x{nodes.at(corners[i]), nodes.at(corners[i + 1]), nodes.at(corners[i + 2])};
+            probe((x[0] + x[1] + x[2]) / 3.0);
+            for (std::size_t k = 0; k < 3; ++k) {
+                probe((x[k] + x[(k + 1) % 3]) / 2.0);
+            }
+        }
+        std::vector<double> closest;
+        std::vector<double> parameters;
+        detail::on_entity(2, face.second,
+                          [&] { gmsh::model::getClosestPoint(2, face.second, probes, closest, parameters); });
+        for (std::size_t i = 0; i < std::min(probes.size(), closest.size()); i += 3) {
+            worst = std::max(worst, std::hypot(probes[i] - closest[i], probes[i + 1] - closest[i + 1],
+                                               probes[i + 2] - closest[i + 2]));
+        }
+    }
+    return worst;
+}
+
+void check_meshed() {
+    std::set<int> empty;
+    for (const auto& face : entities(2)) {
+        if (elements(triangle_type, face.second).empty()) {
+            empty.insert(face.second);
+        }
+    }
+    if (!empty.empty()) {
+        fail("Gmsh could not triangulate it", empty);
+    }
+}
+
+/// Meshes ever finer until the chord is met.
+void mesh_model(const TriangulationOptions& options) {
+    const double wanted = options.chord > 0.0 ? options.chord : model_diagonal() / 200.0;
+    int per_turn = options.per_turn;
+    double reached = 0.0;
+    for (int attempt = 0; attempt < 10; ++attempt) {
+        generate(options.size, per_turn);
+        check_meshed();
+        reached = largest_chord();
+        if (reached <= wanted) {
+            return;
+        }
+        const double factor = std::clamp(std::sqrt(reached / wanted), 1.2, 4.0);
+        per_turn = static_cast<int>(std::min(1e4, std::ceil(factor * per_turn)));
+    }
+    fail("the distance of triangles from curved faces stays at " + std::to_string(reached) + ", above " +
+         std::to_string(wanted));
+}
+
+// ---- reading the mesh ---------------------------------------------------------------------------------------------
+
+/// A face with its triangles, and the solids that it bounds.
+struct Face {
+    std::vector<std::size_t> corners;  ///< node tags, three a triangle
+    std::vector<int> solids;
+};
+
+class Collector {
+public:
+    CadTriangulation run() {
+        for (const auto& face : entities(2)) {
+            faces_[face.second].corners = elements(triangle_type, face.second);
+        }
+        for (const auto& solid : entities(3)) {
+            for (const int face : boundary(3, solid.second)) {
+                faces_.at(face).solids.push_back(solid.second);
+            }
+        }
+        collect_nodes();
+        for (const auto& solid : entities(3)) {
+            collect_solid(solid.second);
+        }
+        collect_curves();
+        return std::move(result_);
+    }
+
+private:
+    void collect_nodes() {
+        std::set<std::size_t> used;
+        for (const auto& [tag, face] : faces_) {
+            if (!face.solids.empty()) {
+                used.insert(face.corners.begin(), face.corners.end());
+            }
+        }
+        const std::map<std::size_t, Vec3> nodes = mesh_nodes();
+        for (const std::size_t tag : used) {
+            number_.emplace(tag, static_cast<Index>(result_.surface.mesh.nodes.size()));
+            result_.surface.mesh.nodes.push_back(nodes.at(tag));
+        }
+    }
+
+    void collect_solid(int solid) {
+        std::vector<TriCorners> triangles;
+        std::vector<int> tags;
+        for (const auto& [tag, face] : faces_) {
+            // Twice in one solid: a wall inside it, without an outer side.
+            if (std::count(face.solids.begin(), face.solids.end(), solid) != 1) {
+                continue;
+            }
+            for (std::size_t i = 0; i < face.corners.size(); i += 3) {
+                triangles.push_back(
+                    {number_.at(face.corners[i]), number_.at(face.corners[i + 1]), number_.at(face.corners[i + 2])});
+                tags.push_back(tag);
+            }
+        }
+        const std::vector<std::size_t> open = detail::orient_shells(result_.surface.mesh.nodes, triangles);
+        if (!open.empty()) {
+            std::set<int> names;
+            for (const std::size_t t : open) {
+                names.insert(tags[t]);
+            }
+            fail("the triangles of solid " + std::to_string(solid) + " do not close", names);
+        }
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            const std::vector<int>& solids = faces_.at(tags[t]).solids;
+            if (solids.size() == 1) {
+                result_.surface.mesh.triangles.push_back(triangles[t]);
+                result_.surface.face_tags.push_back(tags[t]);
+            } else if (solids.front() == solid) {
+                result_.inner_facets.push_back({triangles[t], tags[t]});
+            }
+        }
+        collect_walls(solid);
+    }
+
+    void collect_walls(int solid) {
+        for (const auto& [tag, face] : faces_) {
+            if (std::count(face.solids.begin(), face.solids.end(), solid) < 2) {
+                continue;
+            }
+            for (std::size_t i = 0; i < face.corners.size(); i += 3) {
+                result_.inner_facets.push_back(
+                    {{number_.at(face.corners[i]), number_.at(face.corners[i + 1]), number_.at(face.corners[i + 2])},
+                     tag});
+            }
+        }
+    }
+
+    /// Curves that part different faces, and the vertices where they end.
+    void collect_curves() {
+        std::map<int, std::set<int>> faces_of;
+        for (const auto& [tag, face] : faces_) {
+            for (const int curve : face.solids.empty() ? std::vector<int>() : boundary(2, tag)) {
+                faces_of[curve].insert(tag);
+            }
+        }
+        std::map<int, std::set<int>> curves_at;
+        for (const auto& [curve, faces] : faces_of) {
+            if (faces.size() < 2) {
+                continue;
+            }
+            const std::vector<std::size_t> nodes = elements(line_type, curve);
+            for (std::size_t i = 0; i + 1 < nodes.size(); i += 2) {
+                if (number_.contains(nodes[i]) && number_.contains(nodes[i + 1])) {
+                    result_.surface.edges.push_back({{number_.at(nodes[i]), number_.at(nodes[i + 1])}, curve});
+                }
+            }
+            for (const int vertex : boundary(1, curve)) {
+                curves_at[vertex].insert(curve);
+            }
+        }
+        for (const auto& [vertex, curves] : curves_at) {
+            std::vector<std::size_t> tags;
+            std::vector<double> x;
+            std::vector<double> parameters;
+            gmsh::model::mesh::getNodes(tags, x, parameters, 0, vertex, false, false);
+            if (curves.size() > 1 && tags.size() == 1 && number_.contains(tags[0])) {
+                result_.surface.vertices.push_back({number_.at(tags[0]), vertex});
+            }
+        }
+    }
+
+    std::map<int, Face> faces_;
+    std::unordered_map<std::size_t, Index> number_;
+    CadTriangulation result_;
+};
+
+CadTriangulation read_and_mesh(const std::filesystem::path& file, const TriangulationOptions& options) {
+    const detail::GmshSession session;
+    return detail::with_gmsh(
+        [&] {
+            const detail::GmshModel model;
+            const detail::GmshModel::Current current(model);
+            const auto populate = [&] { detail::import_file(file); };
+            populate();
+            if (entities(3).size() > 1) {
+                static_cast<void>(detail::imprint_solids(model, populate));
+            }
+            mesh_model(options);
+            return Collector().run();
+        },
+        [&](const std::string& message) { throw Error(ErrorCode::cad_failure, file.string() + ": " + message); });
+}
+
+/// Errors that the child met come once more when the work is done here; what is left are crashes and endless loops.
+void try_first(const std::filesystem::path& file, const TriangulationOptions& options) {
+    const auto trial = [&] {
+        try {
+            static_cast<void>(read_and_mesh(file, options));
+        } catch (const Error&) {  // what the caller is to see, with its code and ids
+        }
+    };
+    if (const std::string failure = detail::try_in_child(trial, options.trial_seconds); !failure.empty()) {
+        throw FileError(file.string(), failure);
+    }
+}
+
+}  // namespace
+
+CadTriangulation triangulate_solids(const std::filesystem::path& file, const TriangulationOptions& options) {
+    check_options(options);
+    detail::check_cad_file(file);
+    if (options.trial_seconds > 0.0) {
+        try_first(file, options);
+    }
+    const detail::Hush hush;
+    return read_and_mesh(file, options);
+}
+
+TaggedSurface triangulate(const std::filesystem::path& file, const TriangulationOptions& options) {
+    CadTriangulation made = triangulate_solids(file, options);
+    if (!made.inner_facets.empty()) {
+        std::set<int> faces;
+        for (const TaggedTriangle& triangle : made.inner_facets) {
+            faces.insert(triangle.tag);
+        }
+        fail("there are faces between solids", faces);
+    }
+    return std::move(made.surface);
+}
+
+}  // namespace pavior

@@ -1,0 +1,88 @@
+#include "blocked.hpp"
+#include "swept.hpp"
+
+namespace pavior::cli {
+
+namespace {
+
+using Json = nlohmann::json;
+
+Json marking_json(const SheetReport& report) {
+    Json json{{"valid", report.valid},
+              {"grouping", report.grouping == Grouping::exact ? "exact" : "blended"},
+              {"rounds", report.rounds},
+              {"tries", report.tries}};
+    json["sheets"] = Json::array();
+    for (const Sheet& sheet : report.sheets) {
+        json["sheets"].push_back({{"kind", to_string(sheet.kind)}, {"curves", sheet.curves}, {"faces", sheet.faces}});
+    }
+    return json;
+}
+
+Json violations_json(const DualReport& report) {
+    Json json = Json::array();
+    for (const DualViolation& violation : report.violations) {
+        Json ids = Json::array();
+        for (const Index id : violation.ids) {
+            if (id != no_index) {
+                ids.push_back(id);
+            }
+        }
+        json.push_back({{"fault", to_string(violation.fault)}, {"ids", ids}, {"text", describe(violation)}});
+    }
+    return json;
+}
+
+Json blocks_json(const SolidBlocks& solid) {
+    const BlockReport& report = solid.report.blocks;
+    return {{"blocks", report.blocks},
+            {"nodes", report.nodes()},
+            {"vertices", report.vertices},
+            {"chains", report.chains},
+            {"patches", report.patches},
+            {"cells", report.cells},
+            {"sheets", report.sheets},
+            {"boundary_quads", report.boundary_quads},
+            {"euler", report.euler},
+            {"conforming", report.conforming()},
+            {"min_scaled_jacobian", solid.placement.min_jacobian},
+            {"moved_nodes", solid.placement.moved},
+            {"inverted", solid.placement.inverted}};
+}
+
+Json refinement_json(const RefinedBlocks& fine) {
+    Json json{{"untangling", to_json(fine.untangling)}, {"inverted_blocks", fine.inverted_blocks}};
+    json["sheets"] = Json::array();
+    for (const SheetIntervals& sheet : fine.sheets) {
+        json["sheets"].push_back({{"intervals", sheet.intervals},
+                                  {"edges", sheet.edges},
+                                  {"shortest", sheet.shortest},
+                                  {"longest", sheet.longest},
+                                  {"mean", sheet.mean}});
+    }
+    return json;
+}
+
+}  // namespace
+
+Json to_json(const BlockInput& input, const SolidBlocks& solid) {
+    const BlockSolidReport& report = solid.report;
+    Json json{{"status", to_string(report.status)}, {"marking", marking_json(report.marking)}};
+    json["reference"] = {{"nodes", input.reference.nodes.size()},
+                         {"tetrahedra", input.reference.tets.size()},
+                         {"nodes_cut", solid.reference.nodes.size()},
+                         {"tetrahedra_cut", solid.reference.tets.size()},
+                         {"layer_faces", solid.reference.layers.size()}};
+    json["violations"] = violations_json(report.dual);
+    json["blocks"] = blocks_json(solid);
+    if (solid.fine) {
+        json["refinement"] = refinement_json(*solid.fine);
+    }
+    json["times"] = {{"read", input.read_seconds},        {"tetrahedra", input.tetra_seconds},
+                     {"marking", report.marking_seconds}, {"dual", report.dual_seconds},
+                     {"dualize", report.dualize_seconds}, {"place", report.place_seconds},
+                     {"refine", report.refine_seconds}};
+    return json;
+}
+
+}  // namespace pavior::cli

@@ -1,0 +1,113 @@
+#pragma once
+// What reading and writing VTK's grids have in common.
+
+#include <pavior/core/error.hpp>
+#include <pavior/math/point.hpp>
+
+#include <vtkCommand.h>
+#include <vtkDoubleArray.h>
+#include <vtkLogger.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkUnstructuredGridReader.h>
+#include <vtkUnstructuredGridWriter.h>
+#include <vtkXMLUnstructuredGridReader.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <string>
+#include <vector>
+
+namespace pavior::io {
+
+/// Keeps the first error message of a VTK object instead of printing it.
+class ErrorCatcher : public vtkCommand {
+public:
+    static ErrorCatcher* New() { return new ErrorCatcher; }  // NOLINT(readability-identifier-naming): VTK's contract
+    void Execute(vtkObject* /*caller*/, unsigned long /*event*/, void* data) override {
+        if (message.empty()) {
+            message = data != nullptr ? static_cast<const char*>(data) : "unknown error";
+        }
+    }
+    std::string message;
+};
+
+inline vtkSmartPointer<vtkPoints> make_points(const std::vector<Vec3>& nodes) {
+    vtkNew<vtkDoubleArray> coordinates;
+    coordinates->SetNumberOfComponents(3);
+    coordinates->SetNumberOfTuples(static_cast<vtkIdType>(nodes.size()));
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        coordinates->SetTypedTuple(static_cast<vtkIdType>(i), nodes[i].data());
+    }
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    points->SetDataTypeToDouble();
+    points->SetData(coordinates);
+    return points;
+}
+
+/// VTK's internals (the XML parser, the pipeline) log to stderr whatever observers are there; not while this lives.
+class SilentLog {
+public:
+    SilentLog() { vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); }
+    SilentLog(const SilentLog&) = delete;
+    SilentLog& operator=(const SilentLog&) = delete;
+    ~SilentLog() { vtkLogger::SetStderrVerbosity(before_); }
+
+private:
+    vtkLogger::Verbosity before_ = vtkLogger::GetCurrentVerbosityCutoff();
+};
+
+template <class Process>
+void run_vtk(const std::string& file, Process& process, const char* what) {
+    const SilentLog silent;
+    const vtkNew<ErrorCatcher> errors;
+    process.AddObserver(vtkCommand::ErrorEvent, errors);
+    process.SetFileName(file.c_str());
+    process.Update();
+    if (!errors->message.empty()) {
+        throw FileError(file, what + errors->message);
+    }
+    if (process.GetErrorCode() != 0) {
+        throw FileError(file, what + ("VTK error " + std::to_string(process.GetErrorCode())));
+    }
+}
+
+/// The grid in a legacy or XML file; it has points.
+inline vtkSmartPointer<vtkUnstructuredGrid> read_grid(const std::string& file, bool xml) {
+    vtkSmartPointer<vtkUnstructuredGrid> grid;
+    const auto read = [&](auto& reader) {
+        run_vtk(file, reader, "VTK cannot read it: ");
+        grid = reader.GetOutput();
+    };
+    if (xml) {
+        vtkNew<vtkXMLUnstructuredGridReader> reader;
+        read(*reader);
+    } else {
+        vtkNew<vtkUnstructuredGridReader> reader;
+        read(*reader);
+    }
+    if (grid == nullptr || grid->GetNumberOfPoints() == 0) {
+        throw FileError(file, "holds no points");
+    }
+    return grid;
+}
+
+/// Writes \p grid in place: appended binary XML, or binary legacy.
+inline void write_grid(const std::string& file, vtkUnstructuredGrid& grid, bool xml, const char* title) {
+    if (xml) {
+        vtkNew<vtkXMLUnstructuredGridWriter> writer;
+        writer->SetInputData(&grid);
+        writer->SetDataModeToAppended();
+        writer->EncodeAppendedDataOff();
+        run_vtk(file, *writer, "VTK cannot write: ");
+    } else {
+        vtkNew<vtkUnstructuredGridWriter> writer;
+        writer->SetInputData(&grid);
+        writer->SetFileTypeToBinary();
+        writer->SetHeader(title);
+        run_vtk(file, *writer, "VTK cannot write: ");
+    }
+}
+
+}  // namespace pavior::io

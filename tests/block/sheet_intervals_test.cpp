@@ -1,0 +1,64 @@
+#include "block_cases.hpp"
+#include "support/catch.hpp"
+
+#include <pavior/block/dualize.hpp>
+#include <pavior/block/sheet_intervals.hpp>
+
+#include <cmath>
+#include <numeric>
+
+using block_cases::Case;
+using pavior::InputError;
+using pavior::Vec3;
+
+namespace {
+std::vector<pavior::SheetIntervals> intervals(const Case& c, double size) {
+    const auto blocks = pavior::dualize(c.mesh, c.topology, c.classes, c.complex);
+    const auto geometry = pavior::block_geometry(c.mesh, c.topology, c.complex);
+    return pavior::sheet_intervals(blocks, geometry, pavior::place_blocks(blocks, geometry), size);
+}
+}  // namespace
+
+TEST_CASE("the intervals of a sheet are its mean length by the size", "[sheet_intervals]") {
+    const Case c = block_cases::grid({2, 2, 2}, {}, [](const Vec3& x) { return Vec3(4 * x[0], 2 * x[1], x[2]); });
+    const auto sheets = intervals(c, 0.25);
+    REQUIRE(sheets.size() == 6);
+    std::vector<std::uint32_t> numbers;
+    for (const auto& sheet : sheets) {
+        CHECK(sheet.edges == 9);
+        CHECK(sheet.shortest == Approx(sheet.longest));
+        CHECK(sheet.mean == Approx(0.25 * sheet.intervals));
+        numbers.push_back(sheet.intervals);
+    }
+    std::sort(numbers.begin(), numbers.end());
+    CHECK(numbers == std::vector<std::uint32_t>{2, 2, 4, 4, 8, 8});
+}
+
+TEST_CASE("lengths run along the geometry", "[sheet_intervals]") {
+    const Case c = block_cases::grid({40, 2, 2}, {}, [](const Vec3& x) {
+        return Vec3((1 + x[1]) * std::sin(2 * x[0]), (1 + x[1]) * std::cos(2 * x[0]), x[2]);
+    });
+    double longest = 0;
+    for (const auto& sheet : intervals(c, 0.1)) {
+        CHECK(sheet.shortest <= sheet.mean);
+        CHECK(sheet.mean <= sheet.longest);
+        longest = std::max(longest, sheet.longest);
+    }
+    CHECK(longest == Approx(2.0).epsilon(1e-2));  // half of an arc of radius 2 and angle 2
+}
+
+TEST_CASE("without a size there are two intervals, with a great one a single one", "[sheet_intervals]") {
+    const Case c = block_cases::read("ref_pyramid_table58");
+    for (const auto& sheet : intervals(c, 0)) {
+        CHECK(sheet.intervals == 2);
+    }
+    for (const auto& sheet : intervals(c, 1e9)) {
+        CHECK(sheet.intervals == 1);
+    }
+    const auto sheets = intervals(c, 0.1);
+    CHECK(std::accumulate(sheets.begin(), sheets.end(), std::size_t{0}, [](std::size_t n, const auto& s) {
+              return n + s.edges;
+          }) == pavior::dualize(c.mesh, c.topology, c.classes, c.complex).edges.size());
+    CHECK_THROWS_AS(intervals(c, std::nan("")), InputError);
+    CHECK_THROWS_AS(intervals(c, 1e-12), InputError);
+}

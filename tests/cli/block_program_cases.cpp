@@ -1,0 +1,273 @@
+// `pavior block` as its users see it: exit codes, files, messages.
+#include "support/catch.hpp"
+
+#include <pavior/io/mesh_file.hpp>
+#include <pavior/mesh/verify_hexes.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace pavior;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Outcome {
+    int code = -1;
+    std::string out, err;
+};
+
+fs::path scratch() {
+    static const fs::path directory = [] {
+        const fs::path d = fs::temp_directory_path() / ("pavior_block_program_cases_" + std::to_string(::getpid()));
+        fs::create_directories(d);
+        return d;
+    }();
+    return directory;
+}
+
+std::string content(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+Outcome run(const std::string& arguments) {
+    const fs::path out = scratch() / "stdout.txt";
+    const fs::path err = scratch() / "stderr.txt";
+    const std::string command =
+        std::string(PAVIOR_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string() + " </dev/null";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(out), content(err)};
+}
+
+std::string path(const std::string& name) { return (scratch() / name).string(); }
+
+nlohmann::json json_of(const std::string& file) { return nlohmann::json::parse(content(file)); }
+
+std::string write(const std::string& name, const std::string& text) {
+    std::ofstream(scratch() / name) << text;
+    return path(name);
+}
+
+/// [0, 3] x [0, 2] x [0, 1] as triangles.
+std::string box_off() {
+    return write("box.off",
+                 "OFF\n8 12 0\n0 0 0\n3 0 0\n3 2 0\n0 2 0\n0 0 1\n3 0 1\n3 2 1\n0 2 1\n"
+                 "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n"
+                 "3 3 4 7\n");
+}
+
+/// A box with a pyramid on it: 92 blocks, 84 where sheets stop.
+std::string pyramid_off() {
+    return write("pyramid.off",
+                 "OFF\n13 22 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n0 0 1\n3 0 1\n3 3 1\n0 3 1\n1 1 1\n2 1 1\n2 2 1\n1 2 1\n"
+                 "1.5 1.5 1.8\n3 1 0 3\n3 3 2 1\n3 4 0 1\n3 1 5 4\n3 5 1 2\n3 2 6 5\n3 6 2 3\n3 3 7 6\n3 7 3 0\n"
+                 "3 0 4 7\n3 8 4 5\n3 5 9 8\n3 9 5 6\n3 6 10 9\n3 10 6 7\n3 7 11 10\n3 11 7 4\n3 4 8 11\n3 8 9 12\n"
+                 "3 9 10 12\n3 10 11 12\n3 11 8 12\n");
+}
+
+/// 5.5 radians of a square ring of radii 5 and 6.
+std::string open_ring_off() {
+    constexpr int n = 24;
+    std::ostringstream text;
+    text.precision(17);
+    text << "OFF\n" << 4 * (n + 1) << " " << 8 * n + 4 << " 0\n";
+    for (int i = 0; i <= n; ++i) {
+        const double a = 5.5 * i / n;
+        for (const auto& [r, z] : {std::pair{5, 0}, std::pair{6, 0}, std::pair{6, 1}, std::pair{5, 1}}) {
+            text << r * std::cos(a) << " " << r * std::sin(a) << " " << z << "\n";
+        }
+    }
+    for (int i = 0; i < n; ++i) {
+        for (int k = 0; k < 4; ++k) {
+            const int a = 4 * i + k;
+            const int b = 4 * i + (k + 1) % 4;
+            text << "3 " << a << " " << a + 4 << " " << b + 4 << "\n3 " << a << " " << b + 4 << " " << b << "\n";
+        }
+    }
+    text << "3 0 1 2\n3 0 2 3\n3 " << 4 * n << " " << 4 * n + 2 << " " << 4 * n + 1 << "\n3 " << 4 * n << " "
+         << 4 * n + 3 << " " << 4 * n + 2 << "\n";
+    return write("ring.off", text.str());
+}
+
+/// The box as a VTK file of six tetrahedra.
+std::string box_vtk() {
+    return write("tets.vtk",
+                 "# vtk DataFile Version 3.0\nbox\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 double\n0 0 0\n3 0 0\n"
+                 "3 2 0\n0 2 0\n0 0 1\n3 0 1\n3 2 1\n0 2 1\nCELLS 6 30\n4 0 1 2 6\n4 0 2 3 6\n4 0 3 7 6\n4 0 7 4 6\n"
+                 "4 0 4 5 6\n4 0 5 1 6\nCELL_TYPES 6\n10\n10\n10\n10\n10\n10\n");
+}
+
+}  // namespace
+
+TEST_CASE("a surface becomes blocks, with report and groups") {
+    const std::string mesh = path("blocks.vtu");
+    const Outcome outcome = run("block " + pyramid_off() + " -o " + mesh + " --report " + path("blocks.json"));
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.err.empty());
+    CHECK(outcome.out.find("92 blocks") != std::string::npos);
+    const HexMeshData data = read_mesh(mesh);
+    CHECK(data.mesh.hexes.size() == 92);
+    CHECK(data.mesh.nodes.size() == 177);
+    CHECK(verify_hexes(data.mesh).ok());
+    CHECK(std::set<int>(data.quad_groups.begin(), data.quad_groups.end()).size() == 10);
+    CHECK(std::set<int>(data.hex_groups.begin(), data.hex_groups.end()).size() == 14);
+    const auto json = json_of(path("blocks.json"));
+    CHECK(json["exit_code"] == 0);
+    CHECK(json["status"] == "valid");
+    CHECK(json["blocks"]["blocks"] == 92);
+    CHECK(json["blocks"]["nodes"] == 177);
+    CHECK(json["blocks"]["euler"] == 1);
+    CHECK(json["violations"].empty());
+    CHECK(json["output"] == mesh);
+    CHECK(json["mesh"]["volume"].get<double>() == Approx(9 + 4.0 / 15));
+    CHECK(json["marking"]["sheets"].size() >= 4);
+    CHECK(run("quality " + mesh).code == 0);
+}
+
+TEST_CASE("sheets run on or stop") {
+    const std::string common = "block " + pyramid_off() + " -o " + path("stop.vtu") + " --quiet --propagation ";
+    REQUIRE(run(common + "stop").code == 0);
+    const std::size_t stopped = read_mesh(path("stop.vtu")).mesh.hexes.size();
+    REQUIRE(run(common + "full --report " + path("stop.json")).code == 0);
+    CHECK(json_of(path("stop.json"))["options"]["propagation"] == "full");
+    CHECK(read_mesh(path("stop.vtu")).mesh.hexes.size() == 92);
+    CHECK(stopped <= 92);
+}
+
+TEST_CASE("--size writes a fine mesh on the geometry, the same bytes for any number of threads") {
+    const std::string common = "block " + pyramid_off() + " --size 0.2 --quiet --report " + path("fine.json") + " -o ";
+    const Outcome outcome = run(common + path("fine1.vtu") + " --threads 1");
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.empty());
+    const HexMeshData data = read_mesh(path("fine1.vtu"));
+    CHECK(data.mesh.hexes.size() > 1000);
+    const HexReport report = verify_hexes(data.mesh);
+    CHECK(report.ok());
+    CHECK(report.volume == Approx(9 + 4.0 / 15).epsilon(1e-12));
+    CHECK(data.quads.size() == report.boundary_quads);
+    CHECK(std::set<int>(data.hex_groups.begin(), data.hex_groups.end()).size() == 92);
+    const auto json = json_of(path("fine.json"));
+    CHECK(json["refinement"]["sheets"].size() == json["blocks"]["sheets"].get<std::size_t>());
+    CHECK(json["mesh"]["hexahedra"] == data.mesh.hexes.size());
+    REQUIRE(run(common + path("fine2.vtu") + " --threads 2").code == 0);
+    CHECK(content(path("fine1.vtu")) == content(path("fine2.vtu")));
+}
+
+TEST_CASE("tetrahedra and CAD models are read too, and tags of faces travel") {
+    REQUIRE(run("block " + box_vtk() + " -o " + path("tets.vtu")).code == 0);
+    CHECK(read_mesh(path("tets.vtu")).mesh.hexes.size() == 8);
+    const std::string part = std::string(PAVIOR_EXAMPLE_DATA) + "/mfcad/4-4-19.step";
+    const Outcome outcome = run("block " + part + " -o " + path("part.msh") + " --report " + path("part.json"));
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const HexMeshData data = read_mesh(path("part.msh"));
+    CHECK(verify_hexes(data.mesh).ok());
+    std::size_t faces = 0;
+    for (const MeshGroup& group : data.groups) {
+        faces += group.dimension == 2 && group.name == "face " + std::to_string(group.number) ? 1 : 0;
+    }
+    CHECK(faces == 12);
+}
+
+TEST_CASE("the dual can be looked at, also where it makes no blocks") {
+    const Outcome outcome = run("block " + box_off() + " -o " + path("box.vtu") + " --mu 0.2 --dual " +
+                                path("dual.vtu") + " --report " + path("dual.json"));
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(fs::file_size(path("dual.vtu")) > 1000);
+    const auto json = json_of(path("dual.json"));
+    CHECK(json["dual"]["regions"] == 27);
+    CHECK(json["dual"]["region_polyhedra"].get<int>() == 15 * json["reference"]["tetrahedra_cut"].get<int>());
+    CHECK(json["options"]["mu"] == 0.2);
+    const Outcome pyramid = run("block " + pyramid_off() + " --marking published -o " + path("none.vtu") + " --dual " +
+                                path("none_dual.vtu") + " --report " + path("none.json"));
+    CAPTURE(pyramid.err);
+    CHECK(pyramid.code == 3);
+    CHECK(pyramid.err.find("not meshable: invalid_dual") != std::string::npos);
+    CHECK_FALSE(fs::exists(path("none.vtu")));
+    CHECK(fs::exists(path("none_dual.vtu")));
+    const auto report = json_of(path("none.json"));
+    CHECK(report["exit_code"] == 3);
+    CHECK_FALSE(report["violations"].empty());
+    CHECK(report["violations"][0].contains("fault"));
+}
+
+TEST_CASE("feature angles decide what is a curve") {
+    // Edges of 90 degrees are no features if only sharper ones end: the box has no vertices then.
+    const std::string common = "block " + box_off() + " -o " + path("angles.vtu") + " --report " + path("angles.json");
+    REQUIRE(run(common + " --feature-angles 91,225,315").code == 0);
+    CHECK(json_of(path("angles.json"))["options"]["feature_angles"][0] == 91.0);
+    CHECK(read_mesh(path("angles.vtu")).mesh.hexes.size() == 8);
+    const Outcome smooth = run(common + " --feature-angles 80 225 315");
+    CHECK((smooth.code == 0 || smooth.code == 1 || smooth.code == 3));
+    CHECK(json_of(path("angles.json"))["blocks"]["blocks"] != 8);
+}
+
+TEST_CASE("an invalid block mesh is reported and only written on demand") {
+    // Most of a thin ring is one box: its straight blocks cut through the hole, the fine mesh follows the ring.
+    const std::string common = "block " + open_ring_off() + " -o " + path("ring.vtu");
+    const Outcome outcome = run(common);
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.code == 1);
+    CHECK(outcome.err.find("inverted") != std::string::npos);
+    CHECK_FALSE(fs::exists(path("ring.vtu")));
+    CHECK(run(common + " --keep-invalid").code == 1);
+    CHECK(fs::exists(path("ring.vtu")));
+    CHECK(run("quality " + path("ring.vtu")).code == 1);
+    const Outcome fine = run(common + " --size 0.5");
+    CAPTURE(fine.err);
+    CHECK(fine.code == 0);
+    CHECK(fine.err.find("warning") != std::string::npos);
+    CHECK(run("quality " + path("ring.vtu")).code == 0);
+}
+
+TEST_CASE("bad block options and files exit with 2 and say why") {
+    const std::string box = box_off();
+    const std::string mesh = path("x.vtu");
+    const std::string open = write("open.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n");
+    write("garbage.stl", "this is no STL file");
+    write("empty.off", "");
+    for (const std::string& arguments : {std::string("block"),
+                                         "block " + box,
+                                         "block " + box + " -o " + mesh + " --size 0",
+                                         "block " + box + " -o " + mesh + " --size -1",
+                                         "block " + box + " -o " + mesh + " --marking none",
+                                         "block " + box + " -o " + mesh + " --propagation far",
+                                         "block " + box + " -o " + mesh + " --mu 0.25",
+                                         "block " + box + " -o " + mesh + " --mu 0",
+                                         "block " + box + " -o " + mesh + " --mu nan",
+                                         "block " + box + " -o " + mesh + " --feature-angles 135 225",
+                                         "block " + box + " -o " + mesh + " --feature-angles 200,225,315",
+                                         "block " + box + " -o " + mesh + " --dual " + path("dual.txt"),
+                                         "block " + box + " -o " + mesh + " --no-such",
+                                         "block " + box + " -o " + path("x.stl"),
+                                         "block " + box + " -o " + path("none/x.vtu"),
+                                         "block " + open + " -o " + mesh,
+                                         "block " + path("missing.off") + " -o " + mesh,
+                                         "block " + path("garbage.stl") + " -o " + mesh,
+                                         "block " + path("empty.off") + " -o " + mesh,
+                                         "block " + path("stdout.txt") + " -o " + mesh}) {
+        CAPTURE(arguments);
+        const Outcome outcome = run(arguments);
+        CHECK(outcome.code == 2);
+        CHECK_FALSE(outcome.err.empty());
+        CHECK_FALSE(fs::exists(mesh));
+    }
+    const Outcome outcome = run("block " + open + " -o " + mesh);
+    CHECK(outcome.err.find("open_surface") != std::string::npos);
+    CHECK(run("block --help").code == 0);
+}
