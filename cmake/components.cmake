@@ -47,6 +47,13 @@ if(PAVIOR_BUILD_TETRA)
   target_compile_definitions(pavior_tetra PRIVATE CGAL_NDEBUG) # the same outcome in every build
 endif()
 
+if(PAVIOR_BUILD_IMPRINT)
+  set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+  find_package(CGAL 5.5 REQUIRED)
+  pavior_component(imprint)
+  target_link_libraries(pavior_imprint PRIVATE CGAL::CGAL)
+endif()
+
 if(PAVIOR_BUILD_CLI)
   find_package(CLI11 REQUIRED)
   find_package(nlohmann_json REQUIRED)

@@ -3,6 +3,7 @@ option(PAVIOR_BUILD_MATH "Compile the small solvers once for float and double" $
 option(PAVIOR_BUILD_IO "Mesh formats (VTK, Gmsh)" ${PROJECT_IS_TOP_LEVEL})
 option(PAVIOR_BUILD_CAD "CAD model, surface quads, integer program (Gmsh, GLPK)" ${PROJECT_IS_TOP_LEVEL})
 option(PAVIOR_BUILD_TETRA "Tetrahedra in closed surfaces (TetGen, CGAL)" ${PROJECT_IS_TOP_LEVEL})
+option(PAVIOR_BUILD_IMPRINT "Curves in a plane cut by each other, for many-to-many sweeps (CGAL)" ${PROJECT_IS_TOP_LEVEL})
 option(PAVIOR_BUILD_CLI "The program pavior (needs IO, CAD and TETRA)" ${PROJECT_IS_TOP_LEVEL})
 option(PAVIOR_BUILD_TESTS "Tests" ${PROJECT_IS_TOP_LEVEL})
 option(PAVIOR_BUILD_EXAMPLES "Examples" ${PROJECT_IS_TOP_LEVEL})

@@ -41,6 +41,7 @@ enum class ErrorCode : std::uint8_t {
     degenerate_triangle,      ///< a triangle without area
     tetrahedra_failed,        ///< the tetrahedralizer gave up
     invalid_dual,             ///< the dual surfaces break a condition for hexahedral blocks
+    not_submappable,          ///< a face or solid is no union of logical rectangles or boxes
 };
 
 /// The stable name of \p code, e.g. "null_pseudo_area".
@@ -74,6 +75,7 @@ enum class ErrorCode : std::uint8_t {
         case ErrorCode::degenerate_triangle: return "degenerate_triangle";
         case ErrorCode::tetrahedra_failed: return "tetrahedra_failed";
         case ErrorCode::invalid_dual: return "invalid_dual";
+        case ErrorCode::not_submappable: return "not_submappable";
     }
     return "unknown";
 }

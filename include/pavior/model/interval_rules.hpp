@@ -41,9 +41,14 @@ namespace detail {
 template <brep B>
 class IntervalBuilder {
 public:
-    IntervalBuilder(const B& b, std::span<const SweepTopology> sweeps, const IntervalOptions& options)
+    /// \p more: further solids whose edges are to be divided; their rules are added by others.
+    IntervalBuilder(const B& b, std::span<const SweepTopology> sweeps, const IntervalOptions& options,
+                    std::span<const SolidId> more = {})
         : b_(b), options_(options), index_(b.edge_count(), none) {
         check_options();
+        for (const SolidId solid : more) {
+            add_edges(solid);
+        }
         for (const SweepTopology& sweep : sweeps) {
             add_edges(sweep.solid);
         }
@@ -57,7 +62,10 @@ public:
     }
 
     [[nodiscard]] IntervalSystem& system() { return system_; }
+    [[nodiscard]] const IntervalSystem& system() const { return system_; }
     [[nodiscard]] const std::vector<EdgeId>& edges() const { return edges_; }
+    /// Position of an edge in edges() and in the system.
+    [[nodiscard]] std::size_t position(EdgeId e) const { return index_[e.index()]; }
 
 private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);

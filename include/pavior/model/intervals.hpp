@@ -64,6 +64,34 @@ template <class Solver>
     return result;
 }
 
+/// What \p solved says about the edges, which come first in \p system, and the sweeps.
+inline void fill_assignment(const IntervalSystem& system, const std::vector<EdgeId>& edges,
+                            std::span<const SweepTopology> sweeps, std::size_t edge_count, const IntervalResult& solved,
+                            IntervalAssignment& result) {
+    result.intervals.assign(edge_count, 0);
+    result.objective = 0.0;
+    result.optimal = solved.status == ProgramStatus::optimal;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        result.intervals[edges[i].index()] = solved.numbers[i];
+        const double cost = interval_cost(solved.numbers[i], system.edges[i].wish);
+        result.objective += cost;
+        if (!result.worst_edge.valid() || 1.0 + cost > result.worst_ratio) {
+            result.worst_ratio = 1.0 + cost;
+            result.worst_edge = edges[i];
+        }
+    }
+    result.mean_ratio = 1.0 + (edges.empty() ? 0.0 : result.objective / static_cast<double>(edges.size()));
+    for (const SweepTopology& sweep : sweeps) {
+        int layers = 0;
+        for (const std::vector<SidePlacement>& sides : place_sides(sweep, result.intervals)) {
+            for (const SidePlacement& side : sides) {
+                layers = std::max(layers, side.row + side.rows);
+            }
+        }
+        result.layers.push_back(layers);
+    }
+}
+
 }  // namespace detail
 
 /// Assigns numbers of intervals to all edges of the solids of \p sweeps (one model, each solid at most once), the
@@ -83,28 +111,7 @@ template <brep B, class Solver>
     detail::IntervalBuilder<B> builder(b, sweeps, options);
     IntervalAssignment result;
     const IntervalResult solved = detail::solve_relaxing_angles(builder.system(), solver, result.angles_kept);
-    result.intervals.assign(b.edge_count(), 0);
-    result.objective = solved.objective;
-    result.optimal = solved.status == ProgramStatus::optimal;
-    const std::vector<EdgeId>& edges = builder.edges();
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        result.intervals[edges[i].index()] = solved.numbers[i];
-        const double ratio = 1.0 + interval_cost(solved.numbers[i], builder.system().edges[i].wish);
-        if (!result.worst_edge.valid() || ratio > result.worst_ratio) {
-            result.worst_ratio = ratio;
-            result.worst_edge = edges[i];
-        }
-    }
-    result.mean_ratio = 1.0 + (edges.empty() ? 0.0 : solved.objective / static_cast<double>(edges.size()));
-    for (const SweepTopology& sweep : sweeps) {
-        int layers = 0;
-        for (const std::vector<SidePlacement>& sides : place_sides(sweep, result.intervals)) {
-            for (const SidePlacement& side : sides) {
-                layers = std::max(layers, side.row + side.rows);
-            }
-        }
-        result.layers.push_back(layers);
-    }
+    detail::fill_assignment(builder.system(), builder.edges(), sweeps, b.edge_count(), solved, result);
     return result;
 }
 

@@ -1,0 +1,244 @@
+#pragma once
+/// \file
+/// Places of nodes in columns: those on caps, curves and vertices are given; levels run on smoothly from there through
+/// the solid, and layers between levels are of equal height.
+
+#include <pavior/core/index.hpp>
+#include <pavior/math/point.hpp>
+#include <pavior/mesh/cells.hpp>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace pavior {
+
+/// Ids of nodes (plane node, level), level by level.
+class ColumnNodes {
+public:
+    ColumnNodes(std::size_t plane_nodes, std::size_t levels)
+        : width_(plane_nodes), id_(plane_nodes * levels, no_index) {}
+
+    /// Marks a node as needed.
+    void use(Index plane_node, std::size_t level) { id_[level * width_ + plane_node] = 0; }
+    /// Numbers the nodes in use and returns how many there are.
+    std::size_t number() {
+        Index next = 0;
+        for (Index& id : id_) {
+            if (id != no_index) {
+                id = next++;
+            }
+        }
+        return next;
+    }
+    [[nodiscard]] std::size_t width() const { return width_; }
+    [[nodiscard]] std::size_t levels() const { return width_ == 0 ? 0 : id_.size() / width_; }
+    /// The id, no_index where there is no node.
+    [[nodiscard]] Index operator()(Index plane_node, std::size_t level) const {
+        return id_[level * width_ + plane_node];
+    }
+
+private:
+    std::size_t width_;
+    std::vector<Index> id_;
+};
+
+/// How a node got its place; higher values prevail.
+enum class NodePlace : std::uint8_t { none, extended, cap, exact };
+
+namespace detail {
+
+/// Extends the heights known on some nodes of one level to the nodes connected with them by \p quads (plane nodes):
+/// the constant where they are all equal within \p tolerance, else the harmonic function on the edges, weighted with
+/// the inverse of their lengths. extend(p, height) is called for each. Nodes connected with no known one are left out.
+template <class Known, class Extend>
+void extend_heights(std::span<const Vec2> plane, std::span<const QuadCorners> quads, double tolerance, Known&& known,
+                    Extend&& extend) {
+    std::vector<Index> local(plane.size(), no_index);
+    std::vector<Index> nodes;
+    std::vector<std::pair<Index, Index>> edges;
+    for (const QuadCorners& quad : quads) {
+        for (const Index p : quad) {
+            if (local[p] == no_index) {
+                local[p] = static_cast<Index>(nodes.size());
+                nodes.push_back(p);
+            }
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            edges.push_back(std::minmax(local[quad[k]], local[quad[(k + 1) % 4]]));
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    std::vector<Index> part(nodes.size());
+    for (Index i = 0; i < part.size(); ++i) {
+        part[i] = i;
+    }
+    const auto root = [&](Index i) {
+        while (part[i] != i) {
+            i = part[i] = part[part[i]];
+        }
+        return i;
+    };
+    for (const auto& [a, b] : edges) {
+        const Index i = root(a);
+        const Index j = root(b);
+        part[std::max(i, j)] = std::min(i, j);
+    }
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::vector<double> height(nodes.size(), infinity);
+    std::vector<double> low(nodes.size(), infinity);
+    std::vector<double> high(nodes.size(), -infinity);
+    for (Index i = 0; i < nodes.size(); ++i) {
+        if (const auto at = known(nodes[i])) {
+            height[i] = *at;
+            low[root(i)] = std::min(low[root(i)], *at);
+            high[root(i)] = std::max(high[root(i)], *at);
+        }
+    }
+    std::vector<Index> free(nodes.size(), no_index);
+    Index free_count = 0;
+    for (Index i = 0; i < nodes.size(); ++i) {
+        const Index r = root(i);
+        if (height[i] == infinity && low[r] <= high[r]) {
+            if (high[r] - low[r] <= tolerance) {
+                extend(nodes[i], 0.5 * (low[r] + high[r]));
+            } else {
+                free[i] = free_count++;
+            }
+        }
+    }
+    if (free_count == 0) {
+        return;
+    }
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(free_count));
+    for (const auto& [a, b] : edges) {
+        const double weight = 1 / std::max(1e-300, (plane[nodes[a]] - plane[nodes[b]]).norm());
+        for (const auto& [i, j] : {std::pair(a, b), std::pair(b, a)}) {
+            if (free[i] == no_index) {
+                continue;
+            }
+            const int row = static_cast<int>(free[i]);
+            entries.emplace_back(row, row, weight);
+            if (free[j] != no_index) {
+                entries.emplace_back(row, static_cast<int>(free[j]), -weight);
+            } else {
+                right[row] += weight * height[j];
+            }
+        }
+    }
+    Eigen::SparseMatrix<double> matrix(static_cast<Eigen::Index>(free_count), static_cast<Eigen::Index>(free_count));
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+    const Eigen::VectorXd solution = solver.solve(right);
+    for (Index i = 0; i < nodes.size(); ++i) {
+        if (free[i] != no_index) {
+            extend(nodes[i], solution[static_cast<Eigen::Index>(free[i])]);
+        }
+    }
+}
+
+/// Extends values given on the first nodes of a plane mesh to all others by the discrete Laplace equation, for any
+/// number of right-hand sides. Every other node must be connected with a given one.
+class InnerLaplace {
+public:
+    InnerLaplace(std::span<const Vec2> plane, std::span<const QuadCorners> quads, std::size_t given)
+        : inner_(plane.size() - given) {
+        std::vector<std::pair<Index, Index>> edges;
+        for (const QuadCorners& quad : quads) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                edges.push_back(std::minmax(quad[k], quad[(k + 1) % 4]));
+            }
+        }
+        std::sort(edges.begin(), edges.end());
+        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+        std::vector<Eigen::Triplet<double>> entries;
+        std::vector<Eigen::Triplet<double>> coupling;
+        for (const auto& edge : edges) {
+            const double weight = 1 / std::max(1e-300, (plane[edge.first] - plane[edge.second]).norm());
+            for (const auto& [i, j] : {edge, std::pair(edge.second, edge.first)}) {
+                if (i < given) {
+                    continue;
+                }
+                const auto row = static_cast<int>(i - given);
+                entries.emplace_back(row, row, weight);
+                if (j >= given) {
+                    entries.emplace_back(row, static_cast<int>(j - given), -weight);
+                } else {
+                    coupling.emplace_back(row, static_cast<int>(j), weight);
+                }
+            }
+        }
+        Eigen::SparseMatrix<double> matrix(static_cast<Eigen::Index>(inner_), static_cast<Eigen::Index>(inner_));
+        matrix.setFromTriplets(entries.begin(), entries.end());
+        coupling_.resize(static_cast<Eigen::Index>(inner_), static_cast<Eigen::Index>(given));
+        coupling_.setFromTriplets(coupling.begin(), coupling.end());
+        solver_.compute(matrix);
+    }
+
+    /// Values on the inner nodes, one row each, for rows of values on the given ones.
+    [[nodiscard]] Eigen::MatrixX2d solve(const Eigen::MatrixX2d& given) const {
+        if (inner_ == 0) {
+            return Eigen::MatrixX2d(0, 2);
+        }
+        return solver_.solve(coupling_ * given);
+    }
+
+private:
+    std::size_t inner_;
+    Eigen::SparseMatrix<double> coupling_;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+};
+
+/// Fills one run of levels [first, last] of a column, whose ends are given: extended heights that do not keep a
+/// distance of at least a tenth of their share from the given ones, and from each other, are dropped; all others are
+/// interpolated linearly between those that remain. O(levels).
+inline void fill_column(Index plane_node, std::size_t first, std::size_t last, const ColumnNodes& nodes,
+                        std::span<Vec3> places, std::span<NodePlace> how) {
+    constexpr double share = 0.1;
+    const auto id = [&](std::size_t level) { return nodes(plane_node, level); };
+    const auto given = [&](std::size_t level) { return how[id(level)] >= NodePlace::cap; };
+    const auto interpolate = [&](std::size_t a, std::size_t b) {
+        for (std::size_t level = a + 1; level < b; ++level) {
+            const double t = static_cast<double>(level - a) / static_cast<double>(b - a);
+            places[id(level)] = (1 - t) * places[id(a)] + t * places[id(b)];
+        }
+    };
+    std::size_t low = first;
+    for (std::size_t next = first + 1; next <= last; ++next) {
+        if (!given(next)) {
+            continue;
+        }
+        const Vec3& bottom = places[id(low)];
+        const Vec3& top = places[id(next)];
+        const double step = share * (top[2] - bottom[2]) / static_cast<double>(next - low);
+        std::size_t at = low;
+        for (std::size_t level = low + 1; level < next; ++level) {
+            if (how[id(level)] != NodePlace::extended) {
+                continue;
+            }
+            const double height = places[id(level)][2];
+            if (height - places[id(at)][2] < step * static_cast<double>(level - at) ||
+                top[2] - height < step * static_cast<double>(next - level)) {
+                continue;
+            }
+            interpolate(at, level);
+            at = level;
+        }
+        interpolate(at, next);
+        low = next;
+    }
+}
+
+}  // namespace detail
+
+}  // namespace pavior

@@ -1,0 +1,68 @@
+#include "support/catch.hpp"
+#include "support/extruded_cases.hpp"
+
+#include <pavior/model/cell_stacks.hpp>
+
+using namespace pavior;
+using namespace pavior::test;
+
+TEST_CASE("each cell gets the caps over it from bottom to top") {
+    const PolygonBody body(steps());
+    const PlaneArrangement plane = arranged(body);
+    REQUIRE(plane.cells.size() == 2);
+    const StackResult result = cell_stacks(body.body(), body, plane);
+    REQUIRE(result.fault.empty());
+    for (std::size_t c = 0; c < 2; ++c) {
+        const Index upper = plane.cells[c].inside[0] < 2 ? 2 : 1;
+        CHECK(result.stacks[c].caps == std::vector<Index>{0, upper});
+        CHECK(result.stacks[c].heights == std::vector<double>{0, upper == 2 ? 2.0 : 1.0});
+    }
+}
+
+TEST_CASE("a hole belongs to no cap, an island in it does") {
+    const std::vector<std::vector<Vec2>> loops{box(0, 0, 9, 9), box(2, 2, 7, 7), box(4, 4, 5, 5)};
+    const PolygonBody body({bottom(0, loops), top(1, loops)});
+    const PlaneArrangement plane = arranged(body);
+    const StackResult result = cell_stacks(body.body(), body, plane);
+    REQUIRE(plane.cells.size() == 3);
+    for (std::size_t c = 0; c < 3; ++c) {
+        const Vec2 at = plane.cells[c].inside;
+        const bool ring = at.minCoeff() > 2 && at.maxCoeff() < 7 && !(at.minCoeff() > 4 && at.maxCoeff() < 5);
+        CHECK(result.stacks[c].caps.size() == (ring ? 0 : 2));
+    }
+}
+
+TEST_CASE("a body that is not closed, or whose caps cross, is a fault") {
+    const PolygonBody open({bottom(0, {box(0, 0, 1, 1)})});
+    CHECK_THAT(cell_stacks(open.body(), open, arranged(open)).fault, Catch::Contains("nothing closes"));
+    const PolygonBody twisted({top(0, {box(0, 0, 1, 1)}), bottom(1, {box(0, 0, 1, 1)})});
+    CHECK_THAT(cell_stacks(twisted.body(), twisted, arranged(twisted)).fault, Catch::Contains("cross"));
+}
+
+TEST_CASE("a cap that the merging of curves destroyed is a fault that names it and its curves") {
+    std::vector<PolygonCap> caps = steps();
+    caps[1].loops = {box(2, 0, 4, 2)};
+    caps.push_back(top(1.5, {box(1.9, 0, 2, 2)}));
+    caps[2].loops = {box(0, 0, 1.9, 2)};
+    const PolygonBody body(caps);
+    const std::vector<double> merge(body.body().curves.size(), 0.2);
+    const StackResult result = cell_stacks(body.body(), body, imprint(body.body().plane, {1e-6, merge}));
+    CHECK_FALSE(result.fault.empty());
+    CHECK(result.tags == std::vector<int>{3});
+    CHECK(result.curves.size() == 4);
+}
+
+TEST_CASE("a wall that the merging of curves closed is a fault") {
+    // Two through holes, 0.1 apart, with sides x = 1.95 (curves 5 and 17) and x = 2.05 (11 and 23) that face each other.
+    const std::vector<std::vector<Vec2>> loops{box(0, 0, 4, 2), box(1, 0.5, 1.95, 1.5), box(2.05, 0.5, 3, 1.5)};
+    const PolygonBody body({bottom(0, loops), top(2, loops)});
+    ExtrudedBody sided = body.body();
+    REQUIRE(sided.plane[5].front() == Vec2(1.95, 0.5));
+    REQUIRE(sided.plane[11].back() == Vec2(2.05, 0.5));
+    sided.sides = {{{5, 17}, 100}, {{11, 23}, 101}};
+    CHECK(cell_stacks(sided, body, imprint(sided.plane, {1e-6, {}})).fault.empty());
+    std::vector<double> merge(sided.curves.size(), 0.2);
+    const StackResult closed = cell_stacks(sided, body, imprint(sided.plane, {1e-6, merge}));
+    CHECK_FALSE(closed.fault.empty());
+    CHECK_FALSE(closed.curves.empty());
+}
