@@ -47,6 +47,22 @@ struct BlockCommand {
     bool keep_invalid = false;
 };
 
+/// How a solid becomes hexahedra, in the order in which `pavior mesh` tries.
+enum class MeshMethod { submap, sweep, multi_sweep, block };
+
+/// Options of `pavior mesh`.
+struct MeshCommand {
+    std::string input, output;
+    double size = 0;                   ///< 0: a twelfth of the diagonal of the model
+    std::optional<MeshMethod> method;  ///< unset: each in turn
+    double timeout = 60;               ///< seconds a solid; 0: no limit
+    bool explain = false;
+    unsigned threads = 0;  ///< 0: one a core
+    std::string report;
+    bool quiet = false;
+    bool keep_invalid = false;
+};
+
 /// Options of `pavior quality`.
 struct QualityCommand {
     std::string mesh;
@@ -54,6 +70,7 @@ struct QualityCommand {
     unsigned threads = 0;
 };
 
+ExitCode run_mesh(const MeshCommand& command);
 ExitCode run_sweep(const SweepCommand& command);
 ExitCode run_block(const BlockCommand& command);
 ExitCode run_quality(const QualityCommand& command);

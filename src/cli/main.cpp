@@ -109,11 +109,36 @@ void add_block(CLI::App& app, BlockCommand& command) {
     app.add_flag("--keep-invalid", command.keep_invalid, "write the mesh even if it is not valid (exit code 1)");
 }
 
+void add_mesh(CLI::App& app, MeshCommand& command) {
+    app.add_option("input", command.input, "CAD model (.step .stp .iges .igs .brep)")->required();
+    app.add_option("-o,--output", command.output, "mesh to write (.vtu .vtk .msh .inp)")->required();
+    app.add_option("--size", command.size, "length of mesh edges; default: a twelfth of the model's diagonal")
+        ->check(CLI::PositiveNumber);
+    const std::map<std::string, std::optional<MeshMethod>> methods{{"auto", std::nullopt},
+                                                                   {"submap", MeshMethod::submap},
+                                                                   {"sweep", MeshMethod::sweep},
+                                                                   {"multi-sweep", MeshMethod::multi_sweep},
+                                                                   {"block", MeshMethod::block}};
+    add_choice(app, "--method", command.method, methods,
+               "auto (default): submapping, one-to-one sweep, many-to-many sweep, blocks, until one gives a valid mesh "
+               "with scaled Jacobians of 0.2 or more, else the best of them");
+    app.add_option("--timeout", command.timeout,
+                   "seconds a solid, default 60; 0: no limit. A method that others follow may use half of what is left")
+        ->check(CLI::NonNegativeNumber);
+    app.add_flag("--explain", command.explain, "print what was tried, and why it was taken or refused, as a tree");
+    app.add_option("--threads", command.threads, "threads, 0: one a core; the mesh does not depend on it");
+    app.add_option("--report", command.report, "write a report in JSON");
+    app.add_flag("--quiet", command.quiet, "print nothing but errors, warnings and the tree of --explain");
+    app.add_flag("--keep-invalid", command.keep_invalid, "write the mesh even if it is not valid (exit code 1)");
+}
+
 ExitCode run(int argc, char** argv) {
     CLI::App app(
         "pavior fills solids with hexahedra.\n"
         "Exit codes: 0 valid mesh; 1 mesh made but not valid; 2 bad input or options; 3 not meshable");
     app.require_subcommand(1);
+    MeshCommand mesh;
+    add_mesh(*app.add_subcommand("mesh", "hexahedra for CAD solids, by the method that fits"), mesh);
     SweepCommand sweep;
     std::vector<std::string> local_sizes;
     CLI::App& sweep_app = *app.add_subcommand("sweep", "hexahedra for one-to-one sweepable solids");
@@ -130,6 +155,9 @@ ExitCode run(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? exit_valid : exit_bad_input;
+    }
+    if (app.got_subcommand("mesh")) {
+        return run_mesh(mesh);
     }
     if (quality_app.parsed()) {
         return run_quality(quality);

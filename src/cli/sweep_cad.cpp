@@ -1,3 +1,4 @@
+#include "grouped.hpp"
 #include "swept.hpp"
 
 #include <pavior/cad/cap_mesh.hpp>
@@ -56,7 +57,8 @@ SweepTopology choose(const GmshBrep& model, SolidId solid, std::optional<FaceId>
                           {tag});
 }
 
-std::vector<SweepTopology> recognise(const GmshBrep& model, const SweepCommand& command) {
+std::vector<SweepTopology> recognise(const GmshBrep& model, std::span<const SolidId> solids,
+                                     const SweepCommand& command) {
     std::optional<FaceId> source;
     std::optional<FaceId> target;
     if (command.source) {
@@ -66,8 +68,8 @@ std::vector<SweepTopology> recognise(const GmshBrep& model, const SweepCommand& 
         target = face_with_tag(model, *command.target, "--target");
     }
     std::vector<SweepTopology> sweeps;
-    for (std::size_t s = 0; s < model.solid_count(); ++s) {
-        sweeps.push_back(choose(model, SolidId{static_cast<std::int32_t>(s)}, source, target));
+    for (const SolidId solid : solids) {
+        sweeps.push_back(choose(model, solid, source, target));
     }
     return sweeps;
 }
@@ -80,31 +82,6 @@ IntervalOptions interval_options(const GmshBrep& model, const SweepCommand& comm
     options.solid_size = command.solid_size;
     options.layers = command.layers;
     return options;
-}
-
-/// Hexahedra in groups by solid, quads in groups by face; numbers are the tags of the CAD file.
-HexMeshData grouped(const GmshBrep& model, ModelMesh& result) {
-    HexMeshData data;
-    data.mesh = std::move(result.mesh);
-    data.quads = std::move(result.quads);
-    for (const SolidId solid : result.hex_solid) {
-        data.hex_groups.push_back(model.tag(3, solid.index()));
-    }
-    for (const FaceId face : result.quad_face) {
-        data.quad_groups.push_back(model.tag(2, face.index()));
-    }
-    const auto name = [](const std::string& label, const char* kind, int tag) {
-        return label.empty() ? kind + std::to_string(tag) : label;
-    };
-    for (std::size_t s = 0; s < model.solid_count(); ++s) {
-        const int tag = model.tag(3, s);
-        data.groups.push_back({3, tag, name(model.solid_name(SolidId{static_cast<std::int32_t>(s)}), "solid_", tag)});
-    }
-    for (std::size_t f = 0; f < model.face_count(); ++f) {
-        const int tag = model.tag(2, f);
-        data.groups.push_back({2, tag, name(model.face_name(FaceId{static_cast<std::int32_t>(f)}), "face_", tag)});
-    }
-    return data;
 }
 
 Json to_json(const GmshBrep& model, const ModelMesh& result, const IntervalAssignment& intervals) {
@@ -209,17 +186,22 @@ Attempt attempt_refining(const GmshBrep& model, const std::vector<SweepTopology>
 
 }  // namespace
 
-Swept sweep_cad_file(const SweepCommand& command, const Progress& progress) {
-    report(progress, "reading", 0);
-    const GmshBrep model = GmshBrep::load(command.input);
+Swept sweep_cad_model(const GmshBrep& model, std::span<const SolidId> solids, const SweepCommand& command,
+                      const Progress& progress) {
     report(progress, "recognition", 0);
-    const std::vector<SweepTopology> sweeps = recognise(model, command);
+    const std::vector<SweepTopology> sweeps = recognise(model, solids, command);
     Swept swept;
     Attempt result = attempt_refining(model, sweeps, command, progress, swept.warnings);
     swept.report = to_json(model, result.mesh, result.intervals);
     warn(model, result.mesh, result.intervals, swept.warnings);
-    swept.data = grouped(model, result.mesh);
+    swept.data = grouped(model, solids, result.mesh);
     return swept;
+}
+
+Swept sweep_cad_file(const SweepCommand& command, const Progress& progress) {
+    report(progress, "reading", 0);
+    const GmshBrep model = GmshBrep::load(command.input);
+    return sweep_cad_model(model, all_solids(model), command, progress);
 }
 
 }  // namespace pavior::cli

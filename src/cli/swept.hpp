@@ -2,12 +2,14 @@
 
 #include "commands.hpp"
 
+#include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/core/progress.hpp>
 #include <pavior/io/mesh_file.hpp>
 #include <pavior/model/sweep_solid.hpp>
 
 #include <nlohmann/json.hpp>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,11 @@ struct Swept {
 
 /// Sweeps a problem given as JSON.
 [[nodiscard]] Swept sweep_problem_file(const SweepCommand& command, const Progress& progress);
+
+/// Sweeps \p solids of a model one-to-one, one conforming mesh for all.
+/// \throws UnmeshableError naming faces
+[[nodiscard]] Swept sweep_cad_model(const GmshBrep& model, std::span<const SolidId> solids, const SweepCommand& command,
+                                    const Progress& progress);
 
 /// Sweeps the solids of a CAD file.
 [[nodiscard]] Swept sweep_cad_file(const SweepCommand& command, const Progress& progress);
