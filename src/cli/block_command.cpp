@@ -124,6 +124,10 @@ ExitCode finish(const BlockCommand& command, const BlockInput& input, const Soli
 
 }  // namespace
 
+SolidBlocks make_blocks(const BlockCommand& command, const ReferenceMesh& reference, const Progress& progress) {
+    return block_solid(reference, block_options(command, progress));
+}
+
 ExitCode run_block(const BlockCommand& command) {
     if (!can_write_mesh(command.output)) {
         throw FileError(command.output, "unknown mesh format; known are .vtu .vtk .msh .inp");
@@ -138,7 +142,7 @@ ExitCode run_block(const BlockCommand& command) {
     {
         ProgressBar bar(command.quiet);
         input = read_block_input(command, bar.sink());
-        solid = block_solid(input.reference, block_options(command, bar.sink()));
+        solid = make_blocks(command, input.reference, bar.sink());
         json = to_json(input, solid);
         if (!command.dual.empty()) {
             json["dual"] = write_dual_file(command, solid);

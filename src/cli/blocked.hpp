@@ -26,6 +26,10 @@ struct BlockInput {
 /// Reads surface, CAD model or tetrahedra and makes the reference mesh.
 [[nodiscard]] BlockInput read_block_input(const BlockCommand& command, const Progress& progress);
 
+/// block_solid() with the options of the command.
+[[nodiscard]] SolidBlocks make_blocks(const BlockCommand& command, const ReferenceMesh& reference,
+                                      const Progress& progress);
+
 /// The tag of the geometry of each boundary quad of patch \p patches[q] with its middle at \p middles[q]; empty if the
 /// geometry has no tags.
 [[nodiscard]] std::vector<std::int32_t> quad_tags(const BlockInput& input, const ReferenceMesh& reference,

@@ -35,7 +35,7 @@ std::vector<std::vector<SolidId>> touching_solids(const GmshBrep& model) {
         if (of == model.solid_count()) {
             of = s;
         }
-        const auto [low, high] = std::minmax(find(of), find(s));
+        const auto [low, high] = std::minmax({find(of), find(s)});
         root[high] = low;
     };
     for (const SolidId solid : all_solids(model)) {

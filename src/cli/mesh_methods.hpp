@@ -1,0 +1,19 @@
+#pragma once
+
+#include "meshed.hpp"
+
+namespace pavior::cli {
+
+/// Each method by itself: fills MethodTry::data, details, warnings and notes. \throws Error saying why there is no mesh
+void try_submap(const GmshBrep& model, std::span<const SolidId> solids, const MeshCommand& command, MethodTry& result);
+void try_sweep(const GmshBrep& model, std::span<const SolidId> solids, const MeshCommand& command, MethodTry& result);
+void try_multi_sweep(const GmshBrep& model, std::span<const SolidId> solids, const MeshCommand& command,
+                     const std::function<bool()>& out_of_time, MethodTry& result);
+void try_block(const GmshBrep& model, std::span<const SolidId> solids, const MeshCommand& command, MethodTry& result);
+
+/// The wished length of mesh edges.
+[[nodiscard]] inline double mesh_size(const GmshBrep& model, const MeshCommand& command) {
+    return command.size > 0 ? command.size : model.diagonal() / 12;
+}
+
+}  // namespace pavior::cli
