@@ -1,4 +1,4 @@
-# Compiled, optional targets: pavior::math, pavior::io, pavior::cad, pavior::tetra and the program.
+# Compiled, optional targets: pavior::math, pavior::io, pavior::cad, pavior::tetra, pavior::imprint and the program.
 
 # pavior_component(name): the static library pavior_<name> of src/<name>/*.cpp, with the alias pavior::<name>.
 function(pavior_component name)
@@ -62,7 +62,7 @@ if(PAVIOR_BUILD_CLI)
   list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/src/cli/main.cpp)
   add_library(pavior_commands STATIC ${sources})
   target_include_directories(pavior_commands PUBLIC src)
-  target_link_libraries(pavior_commands PUBLIC pavior_io pavior_cad pavior_tetra CLI11::CLI11 nlohmann_json::nlohmann_json
+  target_link_libraries(pavior_commands PUBLIC pavior_io pavior_cad pavior_tetra pavior_imprint CLI11::CLI11 nlohmann_json::nlohmann_json
                                         PRIVATE pavior_warnings)
   if(PAVIOR_BUILD_MATH)
     target_link_libraries(pavior_commands PUBLIC pavior_math)

@@ -101,6 +101,14 @@ Json report_of(const MeshCommand& command, const GmshBrep& model, std::span<cons
     return json;
 }
 
+/// All lines but the first moved to the right.
+std::string indented(std::string text) {
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
+        text.insert(at + 1, "    ");
+    }
+    return text;
+}
+
 /// Why there is no mesh, solid by solid, method by method.
 ExitCode refuse(const MeshCommand& command, const GmshBrep& model, std::span<const MeshDecision> decisions, Json json,
                 double seconds) {
@@ -117,7 +125,7 @@ ExitCode refuse(const MeshCommand& command, const GmshBrep& model, std::span<con
         }
         std::cerr << "\n";
         for (const MethodTry& attempt : decision.tries) {
-            std::cerr << "  " << to_string(attempt.method) << ": " << attempt.reason << "\n";
+            std::cerr << "  " << to_string(attempt.method) << ": " << indented(attempt.reason) << "\n";
         }
     }
     return exit_not_meshable;

@@ -1,5 +1,4 @@
 #include "mesh_methods.hpp"
-#include "blocked.hpp"
 #include "check.hpp"
 #include "child_task.hpp"
 #include "grouped.hpp"
@@ -11,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <iomanip>
 #include <new>
 #include <sstream>
 
@@ -33,28 +33,6 @@ void try_sweep(const GmshBrep& model, std::span<const SolidId> solids, const Mes
              << " layers";
         result.notes.push_back(note.str());
     }
-}
-
-void try_block(const GmshBrep& model, std::span<const SolidId> solids, const MeshCommand& command, MethodTry& result) {
-    if (model.solid_count() != 1) {
-        throw UnmeshableError(ErrorCode::invalid_dual,
-                              "blocks are made of one solid, the file has " + std::to_string(model.solid_count()));
-    }
-    BlockCommand own;
-    own.input = command.input;
-    own.size = mesh_size(model, command);
-    own.threads = command.threads;
-    const BlockInput input = read_block_input(own, {});
-    const SolidBlocks blocks = make_blocks(own, input.reference, {});
-    result.details = cli::to_json(input, blocks);
-    if (!blocks.report.dual.valid()) {
-        blocks.report.dual.throw_if_invalid();
-        throw UnmeshableError(ErrorCode::invalid_dual, "the layers make no blocks");
-    }
-    result.notes.push_back(std::to_string(blocks.report.blocks.blocks) + " blocks");
-    result.data = block_data(input, blocks);
-    result.data.hex_groups.assign(result.data.mesh.hexes.size(), model.tag(3, 0));
-    result.data.groups = entity_groups(model, solids);
 }
 
 namespace {
@@ -83,11 +61,10 @@ void judge(const GmshBrep& model, std::span<const SolidId> solids, const MeshCom
     result.details["cad_volume"] = volume;
     result.outcome = check.valid() && complete ? Outcome::mesh : Outcome::invalid;
     std::ostringstream reason;
-    if (!check.valid()) {
+    if (!check.verify.ok()) {
         reason << check.verify.text();
-        if (check.quality.inverted > 0) {
-            reason << (check.verify.ok() ? "" : "; ") << check.quality.inverted << " inverted hexahedra";
-        }
+    } else if (check.quality.inverted > 0) {
+        reason << check.quality.inverted << " inverted hexahedra";
     } else if (!complete) {
         reason << "its volume is " << check.verify.volume << ", that of the CAD model " << volume;
     }
@@ -169,7 +146,7 @@ MethodTry try_method_in_child(MeshMethod method, const GmshBrep& model, std::spa
         const bool late_answer = answer.end == ChildAnswer::End::timed_out;
         result.outcome = late_answer ? Outcome::timed_out : Outcome::died;
         if (late_answer) {
-            reason << "not done after " << seconds << " s";
+            reason << std::setprecision(3) << "not done after " << seconds << " s";
         } else {
             reason << answer.reason;
         }

@@ -30,7 +30,7 @@ Json to_json(const MultiSweepReport& report) {
 
 std::string note_of(const MultiSweepAttempt& attempt) {
     std::ostringstream text;
-    const Vec3 d = attempt.direction;
+    const Vec3 d = attempt.direction + Vec3::Zero();  // no -0
     text << "along (" << d[0] << ", " << d[1] << ", " << d[2] << "), merging within " << attempt.merge
          << " sizes: " << (attempt.error.empty() ? "least scaled Jacobian " : attempt.error);
     if (attempt.error.empty()) {
@@ -50,7 +50,7 @@ void try_multi_sweep(const GmshBrep& model, std::span<const SolidId> solids, con
     BestMultiSweep best = best_multi_sweep(model, solids, options, imprint, solver, GmshRegionMesher{}, out_of_time);
     result.details["attempts"] = Json::array();
     for (const MultiSweepAttempt& attempt : best.attempts) {
-        const Vec3 d = attempt.direction;
+        const Vec3 d = attempt.direction + Vec3::Zero();  // no -0
         Json json{{"direction", {d[0], d[1], d[2]}}, {"merge", attempt.merge}};
         json["scaled_jacobian"] = attempt.error.empty() ? Json(attempt.quality) : Json();
         json["error"] = attempt.error;

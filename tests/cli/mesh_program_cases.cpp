@@ -1,0 +1,198 @@
+// `pavior mesh` as its users see it: which method, exit codes, reasons, reports.
+#include "support/catch.hpp"
+#include "support/program.hpp"
+
+#include <pavior/core/stopwatch.hpp>
+#include <pavior/io/mesh_file.hpp>
+#include <pavior/mesh/quality.hpp>
+#include <pavior/mesh/verify_hexes.hpp>
+
+#include <algorithm>
+#include <set>
+
+using namespace pavior;
+using namespace pavior::test;
+
+namespace {
+
+std::string example(const std::string& name) { return std::string(PAVIOR_EXAMPLE_DATA) + "/" + name; }
+
+/// Meshes a part and returns the report; the mesh must be sound and its groups those of the CAD model.
+nlohmann::json meshed(const std::string& part, const std::string& options, std::size_t faces) {
+    const std::string mesh = scratch_file("part.vtu");
+    const std::string report = scratch_file("part.json");
+    std::string arguments = "mesh ";
+    arguments.append(example(part)).append(" -o ").append(mesh).append(" --report ").append(report);
+    const ProgramRun run = run_program(arguments.append(" ").append(options));
+    CAPTURE(arguments, run.err);
+    REQUIRE(run.code == 0);
+    const HexMeshData data = read_mesh(mesh);
+    const HexReport check = verify_hexes(data.mesh);
+    CHECK(check.ok());
+    CHECK(check.boundary_quads == data.quads.size());
+    CHECK(std::set<int>(data.quad_groups.begin(), data.quad_groups.end()).size() == faces);
+    CHECK(std::set<int>(data.hex_groups.begin(), data.hex_groups.end()) == std::set<int>{1});
+    nlohmann::json json = json_of(report);
+    CHECK(json["mesh"]["volume"].get<double>() == Approx(check.volume));
+    std::filesystem::remove(mesh);
+    return json;
+}
+
+/// The entry of the report on one method.
+nlohmann::json tried(const nlohmann::json& json, const std::string& method) {
+    for (const nlohmann::json& attempt : json["decisions"][0]["tries"]) {
+        if (attempt["method"] == method) {
+            return attempt;
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("mesh: a part of boxes is submapped") {
+    const auto json = meshed("mfcad/5-5-6-19.step", "--size 2", 16);
+    CHECK(json["decisions"][0]["method"] == "submap");
+    CHECK(json["exit_code"] == 0);
+    const auto submap = tried(json, "submap");
+    CHECK(submap["outcome"] == "mesh");
+    CHECK(submap["details"]["cad_volume"].get<double>() == Approx(json["mesh"]["volume"].get<double>()).epsilon(1e-9));
+    CHECK(tried(json, "block")["outcome"] == "not_tried");
+}
+
+TEST_CASE("mesh: a one-to-one part is swept, submapping says why not") {
+    const auto json = meshed("mfcad/4-4-19.step", "--size 2", 12);
+    CHECK(json["decisions"][0]["method"] == "sweep");
+    const auto submap = tried(json, "submap");
+    CHECK(submap["outcome"] == "refused");
+    CHECK(submap["reason"].get<std::string>().find("not_submappable") == 0);
+    CHECK(submap["faces"].size() == 1);
+}
+
+TEST_CASE("mesh: a many-to-many part is swept from cap to cap, and --explain says so with face ids") {
+    const auto json = meshed("mfcad/9-12-19.step", "--size 1.5", 14);
+    CHECK(json["decisions"][0]["method"] == "multi-sweep");
+    CHECK(tried(json, "sweep")["outcome"] == "refused");
+    CHECK(tried(json, "multi-sweep")["details"]["attempts"].size() >= 1);
+    const ProgramRun run = run_program("mesh " + example("mfcad/9-12-19.step") + " --size 1.5 --quiet --explain -o " +
+                                       scratch_file("tree.msh"));
+    CHECK(run.code == 0);
+    CHECK(run.out.find("`- solid 1: multi-sweep\n") != std::string::npos);
+    CHECK(run.out.find("   |- submap: refused (") != std::string::npos);
+    CHECK(run.out.find("[faces 7]") != std::string::npos);
+    CHECK(run.out.find("   |- multi-sweep: valid mesh, taken (") != std::string::npos);
+    CHECK(run.out.find("   `- block: not needed\n") != std::string::npos);
+}
+
+TEST_CASE("mesh: what no sweep reaches becomes blocks") {
+    const auto json = meshed("mfcad/1-4-4-4-14-23.step", "--size 2", 21);
+    CHECK(json["decisions"][0]["method"] == "block");
+    for (const char* method : {"submap", "sweep", "multi-sweep"}) {
+        CHECK(tried(json, method)["outcome"] == "refused");
+        CHECK_FALSE(tried(json, method)["faces"].empty());
+    }
+}
+
+TEST_CASE("mesh: --method takes one method alone") {
+    for (const std::string method : {"submap", "sweep", "multi-sweep", "block"}) {
+        const auto json = meshed("mfcad/2-6-19.step", "--size 2 --method " + method, 12);
+        CHECK(json["decisions"][0]["method"] == method);
+        CHECK(json["decisions"][0]["tries"].size() == 1);
+        CHECK(json["options"]["method"] == method);
+    }
+}
+
+TEST_CASE("mesh: a later method may be better where an earlier one is poor") {
+    const auto json = meshed("hexme/n11o_limit_cycle.stp", "", 6);
+    const auto sweep = tried(json, "sweep");
+    REQUIRE(sweep["outcome"] == "mesh");
+    CHECK(sweep["scaled_jacobian"] < 0.2);
+    CHECK(json["decisions"][0]["method"] == "multi-sweep");
+    CHECK(tried(json, "multi-sweep")["scaled_jacobian"] > sweep["scaled_jacobian"]);
+}
+
+TEST_CASE("mesh: a refusal exits with 3 and names faces; nothing is written") {
+    const std::string mesh = scratch_file("none.vtu");
+    const std::string report = scratch_file("none.json");
+    const ProgramRun run = run_program("mesh " + example("hexme/i14o_s7.step") + " --method multi-sweep -o " + mesh +
+                                       " --report " + report);
+    CHECK(run.code == 3);
+    CHECK(run.err.find("pavior: not meshable: solid 1\n") == 0);
+    CHECK(run.err.find("multi-sweep: not_sweepable:") != std::string::npos);
+    CHECK(run.err.find("face 1 leans") != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(mesh));
+    const auto json = json_of(report);
+    CHECK(json["exit_code"] == 3);
+    CHECK(json["output"].is_null());
+    CHECK(tried(json, "multi-sweep")["faces"] == nlohmann::json({1, 3}));
+}
+
+TEST_CASE("mesh: the time limit strikes, and the answer says so") {
+    const std::string mesh = scratch_file("late.vtu");
+    const std::string report = scratch_file("late.json");
+    const Stopwatch watch;
+    const ProgramRun run = run_program("mesh " + example("mfcad/10-11-11-11-11-23.step") +
+                                       " --size 0.02 --timeout 2 -o " + mesh + " --report " + report);
+    CHECK(watch.total() < 15);
+    CHECK(run.code == 3);
+    CHECK(run.err.find("within the time limit of 2 s a solid") != std::string::npos);
+    CHECK(run.err.find("submap: not done after 1 s") != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(mesh));
+    const auto json = json_of(report);
+    CHECK(json["decisions"][0]["out_of_time"] == true);
+    CHECK(tried(json, "submap")["outcome"] == "timed_out");
+    CHECK(tried(json, "block")["outcome"] == "timed_out");
+}
+
+TEST_CASE("mesh: an invalid mesh exits with 1 and is only written on demand") {
+    const std::string mesh = scratch_file("invalid.vtu");
+    const std::string arguments =
+        "mesh " + example("mfcad/10-11-11-11-11-23.step") + " --size 3 --method submap -o " + mesh;
+    const ProgramRun run = run_program(arguments);
+    CHECK(run.code == 1);
+    CHECK(run.err.find("inverted") != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(mesh));
+    CHECK(run_program(arguments + " --keep-invalid").code == 1);
+    REQUIRE(std::filesystem::exists(mesh));
+    CHECK(hex_quality(read_mesh(mesh).mesh).inverted > 0);
+}
+
+TEST_CASE("mesh: solids that share faces are meshed together, conforming") {
+    const std::string mesh = scratch_file("assembly.vtu");
+    const ProgramRun run =
+        run_program("mesh " + example("assembly/bolt_plate_washer.step") + " --size 3 --explain -o " + mesh);
+    CAPTURE(run.err);
+    REQUIRE(run.code == 0);
+    CHECK(run.out.find("solids 1, 2, 3: ") != std::string::npos);
+    const HexMeshData data = read_mesh(mesh);
+    CHECK(verify_hexes(data.mesh).ok());
+    CHECK(std::set<int>(data.hex_groups.begin(), data.hex_groups.end()) == std::set<int>{1, 2, 3});
+    CHECK(group_name(data, 3, 1) == "plate");
+}
+
+TEST_CASE("mesh: twice the same bytes, whatever the threads") {
+    const std::string arguments = "mesh " + example("mfcad/9-12-19.step") + " --size 1.5 --quiet -o ";
+    REQUIRE(run_program(arguments + scratch_file("a.vtu") + " --threads 1").code == 0);
+    REQUIRE(run_program(arguments + scratch_file("b.vtu") + " --threads 2").code == 0);
+    CHECK(content(scratch_file("a.vtu")) == content(scratch_file("b.vtu")));
+}
+
+TEST_CASE("mesh: bad options and files exit with 2 and say why") {
+    const std::string part = "mesh " + example("mfcad/4-4-19.step");
+    const std::string mesh = scratch_file("x.vtu");
+    std::ofstream(scratch_file("garbage.step")) << "this is no STEP file";
+    for (const std::string& arguments :
+         {std::string("mesh"), part, part + " -o " + mesh + " --size 0", part + " -o " + mesh + " --size x",
+          part + " -o " + mesh + " --method dual", part + " -o " + mesh + " --timeout -1",
+          part + " -o " + mesh + " --no-such", part + " -o " + scratch_file("x.stl"),
+          part + " -o " + scratch_file("none/x.vtu") + " --size 4",
+          "mesh " + scratch_file("missing.step") + " -o " + mesh,
+          "mesh " + scratch_file("garbage.step") + " -o " + mesh, "mesh " + scratch_file("x.off") + " -o " + mesh}) {
+        CAPTURE(arguments);
+        const ProgramRun run = run_program(arguments);
+        CHECK(run.code == 2);
+        CHECK_FALSE(run.err.empty());
+        CHECK_FALSE(std::filesystem::exists(mesh));
+    }
+    CHECK(run_program("mesh --help").code == 0);
+}
