@@ -62,7 +62,8 @@ if(PAVIOR_BUILD_CLI)
   list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/src/cli/main.cpp)
   add_library(pavior_commands STATIC ${sources})
   target_include_directories(pavior_commands PUBLIC src)
-  target_link_libraries(pavior_commands PUBLIC pavior_io pavior_cad pavior_tetra pavior_imprint CLI11::CLI11 nlohmann_json::nlohmann_json
+  target_link_libraries(pavior_commands PUBLIC pavior_io pavior_cad pavior_tetra pavior_imprint CLI11::CLI11
+                                               nlohmann_json::nlohmann_json
                                         PRIVATE pavior_warnings)
   if(PAVIOR_BUILD_MATH)
     target_link_libraries(pavior_commands PUBLIC pavior_math)

@@ -1,4 +1,6 @@
-// A program that links the compiled components: an integer program, a mesh file, a decomposition, tetrahedra.
+// A program that links the compiled components: an integer program, a mesh file, a decomposition, tetrahedra, an
+// arrangement.
+#include <pavior/imprint/imprint.hpp>
 #include <pavior/io/mesh_file.hpp>
 #include <pavior/math/small_svd.hpp>
 #include <pavior/model/integer_program.hpp>
@@ -41,6 +43,13 @@ int main() {
     surface.mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
     const bool filled = pavior::tetrahedralize(surface).mesh.tets.size() == 1;
 
-    std::printf("integer program %d, files %d, error %.1e, filled %d\n", solved, same, error, filled);
-    return solved && same && filled && error < 1e-14 ? 0 : 1;
+    // imprint: two lines cross in one point and make four edges.
+    pavior::PlaneCurves cross;
+    cross.add(std::array{pavior::Vec2(-1, 0), pavior::Vec2(1, 0)});
+    cross.add(std::array{pavior::Vec2(0, -1), pavior::Vec2(0, 1)});
+    const bool crossed = pavior::imprint(cross, {1e-9, {}}).edges.size() == 4;
+
+    std::printf("integer program %d, files %d, error %.1e, filled %d, crossed %d\n", solved, same, error, filled,
+                crossed);
+    return solved && same && filled && crossed && error < 1e-14 ? 0 : 1;
 }
