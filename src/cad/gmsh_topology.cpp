@@ -198,7 +198,25 @@ private:
         for (std::size_t i = t.size() / 2 + 1; i < t.size(); ++i) {
             curve.uv[i] = shifted_to(face, curve.uv[i], curve.uv[i - 1]);
         }
+        bring_inside(face, curve.uv);
         return curve;
+    }
+
+    /// Where the seam of a closed surface bounds a part of it, Gmsh may give parameters one period beyond the box.
+    static void bring_inside(const FaceData& face, std::vector<Vec2>& uv) {
+        const Vec2 middle = uv[uv.size() / 2];
+        for (int d = 0; d < 2; ++d) {
+            const double period = face.period[static_cast<std::size_t>(d)];
+            const double slack = 1e-6 * period;
+            for (const double shift : {-period, period}) {
+                const bool outside = middle[d] > face.bounds[1][d] + slack || middle[d] < face.bounds[0][d] - slack;
+                const double moved = middle[d] + shift;
+                if (outside && moved <= face.bounds[1][d] + slack && moved >= face.bounds[0][d] - slack) {
+                    std::for_each(uv.begin(), uv.end(), [&](Vec2& x) { x[d] += shift; });
+                    break;
+                }
+            }
+        }
     }
 
     void read_loops(FaceData& face, const std::vector<int>& edges) const {

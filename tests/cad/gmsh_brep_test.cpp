@@ -210,6 +210,25 @@ TEST_CASE("the two sides of a seam are one period apart") {
     }
 }
 
+TEST_CASE("a part of a cylinder may end at the seam of its surface") {
+    // Boxes minus cylinders: one quarter each stays, the seam at angle 0 bounds it from below or, one period on, above.
+    for (const double y : {-2.0, 0.0}) {
+        for (const double turn : {0.0, 0.7}) {
+            CAPTURE(y, turn);
+            const GmshBrep b = GmshBrep::build([&] {
+                const int box = occ::addBox(0, y, 0, 2, 2, 1);
+                const int cylinder = occ::addCylinder(0, 0, 0, 0, 0, 1, 1);
+                gmsh::vectorpair out;
+                std::vector<gmsh::vectorpair> map;
+                occ::cut({{3, box}}, {{3, cylinder}}, out, map);
+                occ::rotate(out, 0, 0, 0, 1, 2, 3, turn);
+            });
+            CHECK(b.face_count() == 7);
+            check_all(b);
+        }
+    }
+}
+
 TEST_CASE("an assembly shares faces and keeps names") {
     const std::string file = data + "/assembly/bolt_plate_washer.step";
     const GmshBrep b = GmshBrep::load(file);
