@@ -25,6 +25,13 @@ TEST_CASE("the pyramid on a box becomes valid with the counts of table 5.8") {
     CHECK(full.report.valid);
     CHECK(full.report.blocks == 92);
     CHECK(full.report.nodes == 177);
+    MarkingOptions options;
+    options.propagation = Propagation::stop;
+    const MarkedMesh stop = mark_sheets(mesh, options);
+    CHECK(stop.report.valid);
+    CHECK(stop.report.blocks == 84);
+    CHECK(stop.report.nodes == 165);
+    CHECK(stop.report.quality > 0.05);
 }
 
 TEST_CASE("a solid whose corners are regular needs no split") {

@@ -28,8 +28,3 @@ TEST_CASE("a repair sheet is cut where it starts, and leaves no trace but its la
     CHECK(s.report.valid());
     CHECK(s.complex.corners.size() == 16);
 }
-
-TEST_CASE("stack edges are those of features and of crossing layers") {
-    const ReferenceMesh mesh = tet_meshes::reference(tet_meshes::box(2, 2, 1));
-    CHECK(stack_edges(mesh).size() == 2 * 12 + 9);
-}

@@ -63,7 +63,8 @@ public:
         return sheet_groups(fronts_, boundary_, mesh_.nodes, grouping, tolerance_, options_.blend_angle);
     }
 
-    [[nodiscard]] MarkedMesh mark(Grouping grouping, const std::vector<SheetGroup>& groups) const {
+    [[nodiscard]] MarkedMesh mark(Grouping grouping, const std::vector<SheetGroup>& groups,
+                                  Propagation propagation) const {
         CutMesh cut{mesh_, {}, {}};
         SheetReport report;
         report.grouping = grouping;
@@ -73,21 +74,18 @@ public:
         }
         for (const SheetGroup& group : groups) {
             SheetCut sheet = sheet_field(cut.mesh, group, fronts_, boundary_, tolerance_);
-            if (options_.propagation == Propagation::stop) {
-                sheet.barriers = stack_edges(cut.mesh);
-            }
-            cut_sheet(cut, sheet, static_cast<Index>(report.sheets.size()));
+            cut_sheet(cut, sheet, static_cast<Index>(report.sheets.size()), propagation);
             report.sheets.push_back({group.kind, curves_of(group, fronts_), 0});
             pavior::report(options_.progress, "sheets",
                            static_cast<double>(report.sheets.size()) / static_cast<double>(groups.size() + 1));
         }
-        repair(cut, report);
+        repair(cut, report, propagation);
         return {std::move(cut.mesh), std::move(report)};
     }
 
 private:
     /// Adds sheets until nothing is violated, there is nothing to add or there are too many blocks.
-    void repair(CutMesh& cut, SheetReport& report) const {
+    void repair(CutMesh& cut, SheetReport& report, Propagation propagation) const {
         CellSnapshot now = cell_snapshot(cut.mesh);
         const double limit =
             options_.max_growth * static_cast<double>(std::max<std::size_t>(now.complex.corners.size(), 16));
@@ -100,7 +98,7 @@ private:
                 }
             }
             const std::size_t before = cut.mesh.layers.size();
-            cut_repairs(cut, repairs, options_.propagation, tolerance_, static_cast<Index>(report.sheets.size()));
+            cut_repairs(cut, repairs, propagation, tolerance_, static_cast<Index>(report.sheets.size()));
             for (const RepairSheet& r : repairs) {
                 report.sheets.push_back({r.kind, {}, 0});
             }
@@ -123,6 +121,29 @@ private:
     FrontBoundary boundary_;
     std::vector<Front> fronts_;
 };
+
+/// The better of the two groupings.
+[[nodiscard]] inline MarkedMesh mark_best(const SheetMarker& marker, Propagation propagation) {
+    const std::vector<SheetGroup> exact = marker.groups(Grouping::exact);
+    MarkedMesh best = marker.mark(Grouping::exact, exact, propagation);
+    best.report.tries = 1;
+    const std::vector<SheetGroup> blended = marker.groups(Grouping::blended);
+    if (blended.size() != exact.size()) {
+        MarkedMesh other = marker.mark(Grouping::blended, blended, propagation);
+        if (better_marking(other.report, best.report)) {
+            best = std::move(other);
+        }
+        best.report.tries = 2;
+    }
+    return best;
+}
+
+/// True if stopped sheets are no worse than whole ones but for their Jacobians, which stay positive, and make fewer
+/// blocks.
+[[nodiscard]] inline bool stop_pays(const SheetReport& stopped, const SheetReport& whole) {
+    return stopped.valid &&
+           (!whole.valid || (stopped.blocks < whole.blocks && (stopped.quality > 0 || !(whole.quality > 0))));
+}
 
 /// Every inner face becomes a layer: midpoint subdivision of the tetrahedra.
 [[nodiscard]] inline MarkedMesh mark_everything(const ReferenceMesh& mesh, const MarkingOptions& options) {
@@ -148,6 +169,8 @@ private:
 /// not valid: planes through the axes of closed curves and round patches, planes through two curves of corners with
 /// more than three. Fronts that face each other on slightly tilted surfaces are tried as one bent sheet too; the better
 /// result (better_marking()) is kept. What is left invalid is in the report.
+/// With Propagation::stop each sheet ends at chains that exist already, unless that leaves more to repair than the
+/// whole sheet does; the result of Propagation::full is kept if that is valid and has no more blocks.
 /// The mesh must be a reference mesh of the solid: patches, curves, vertices (make_reference_mesh()). Its layers stay.
 /// O(n) a sheet; tetrahedra grow by 1.5 to 3 times. Deterministic. \throws what tet_topology() and classify() throw
 template <classified_tet_mesh M>
@@ -157,16 +180,13 @@ template <classified_tet_mesh M>
         throw InputError(ErrorCode::empty_input, "a reference mesh without tetrahedra");
     }
     const detail::SheetMarker marker(reference, options);
-    const std::vector<SheetGroup> exact = marker.groups(Grouping::exact);
-    MarkedMesh best = marker.mark(Grouping::exact, exact);
-    best.report.tries = 1;
-    const std::vector<SheetGroup> blended = marker.groups(Grouping::blended);
-    if (blended.size() != exact.size()) {
-        MarkedMesh other = marker.mark(Grouping::blended, blended);
-        if (better_marking(other.report, best.report)) {
-            best = std::move(other);
+    MarkedMesh best = detail::mark_best(marker, Propagation::full);
+    if (options.propagation == Propagation::stop) {
+        MarkedMesh stopped = detail::mark_best(marker, Propagation::stop);
+        stopped.report.tries += best.report.tries;
+        if (detail::stop_pays(stopped.report, best.report)) {
+            best = std::move(stopped);
         }
-        best.report.tries = 2;
     }
     if (!best.report.valid && options.split_everything) {
         const int tries = best.report.tries;

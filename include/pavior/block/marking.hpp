@@ -23,7 +23,7 @@ enum class Marking : std::uint8_t {
 /// How far a sheet runs on.
 enum class Propagation : std::uint8_t {
     full,  ///< to the boundary of the solid
-    stop,  ///< to the boundary, or to a chain that exists already: fewer blocks
+    stop,  ///< to the boundary, or to a chain that exists already where that is valid: fewer blocks
 };
 
 /// Which fronts share one sheet.

@@ -5,6 +5,7 @@
 #include <pavior/block/cell_snapshot.hpp>
 #include <pavior/block/marking.hpp>
 #include <pavior/block/sheet_field.hpp>
+#include <pavior/block/stop_sheet.hpp>
 
 #include <algorithm>
 #include <array>
@@ -26,19 +27,6 @@ struct RepairSheet {
     /// Edges that it contains, whatever its surface says (ascending pairs).
     std::vector<std::array<Index, 2>> contained;
 };
-
-/// Stack edges inside the solid, ascending pairs, sorted: where a sheet stops in Propagation::stop. O(n).
-[[nodiscard]] inline std::vector<std::array<Index, 2>> stack_edges(const ReferenceMesh& mesh) {
-    const TetTopology topology = tet_topology(mesh);
-    const EntityClasses classes = classify(mesh, topology);
-    std::vector<std::array<Index, 2>> edges;
-    for (const Index e : IndexRange(topology.edges.size())) {
-        if (classes.edge[e] == EntityClass::stack) {
-            edges.push_back(topology.edges[e]);
-        }
-    }
-    return edges;
-}
 
 namespace detail {
 
@@ -111,10 +99,7 @@ inline std::vector<std::size_t> cut_repairs(CutMesh& cut, const std::vector<Repa
             detail::mark_waiting(cut, sheet, detail::waiting_curve - static_cast<std::int32_t>(r));
         }
         sheet.start_marks = true;
-        if (propagation == Propagation::stop) {
-            sheet.barriers = stack_edges(cut.mesh);
-        }
-        added.push_back(cut_sheet(cut, sheet, first_id + static_cast<Index>(r)));
+        added.push_back(cut_sheet(cut, sheet, first_id + static_cast<Index>(r), propagation));
         cut.marks.clear();
     }
     std::erase_if(cut.mesh.curves, [](const FeatureEdge& edge) { return edge.curve <= detail::waiting_curve; });
