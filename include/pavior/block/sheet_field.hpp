@@ -3,6 +3,7 @@
 /// The field whose zero set is the sheet of a group of fronts, with the sides of the nodes that are decided by the
 /// boundary.
 
+#include <pavior/block/detail/near_triangles.hpp>
 #include <pavior/block/sheet_cut.hpp>
 #include <pavior/block/sheet_groups.hpp>
 
@@ -18,34 +19,12 @@ namespace pavior {
 
 namespace detail {
 
-[[nodiscard]] inline double squared_distance_to_triangle(const Vec3& x, const std::array<Vec3, 3>& t) {
-    const Vec3 u = t[1] - t[0];
-    const Vec3 v = t[2] - t[0];
-    const Vec3 d = x - t[0];
-    const Vec3 n = u.cross(v);
-    const double square = n.squaredNorm();
-    if (square > 0) {
-        const double p = n.dot(d.cross(v)) / square;
-        const double q = n.dot(u.cross(d)) / square;
-        if (p >= 0 && q >= 0 && p + q <= 1) {
-            return n.dot(d) * n.dot(d) / square;
-        }
-    }
-    double best = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3 e = t[(k + 1) % 3] - t[k];
-        const double s = std::clamp(e.dot(x - t[k]) / std::max(e.squaredNorm(), 1e-300), 0.0, 1.0);
-        best = std::min(best, (x - t[k] - s * e).squaredNorm());
-    }
-    return best;
-}
-
 /// Surfaces and what of the boundary they continue.
 struct BlendField {
     struct Part {
         PatchSurface surface;
         double sign = 1.0;
-        std::vector<std::array<Vec3, 3>> triangles;
+        NearTriangles triangles;
     };
     std::vector<Part> parts;
 
@@ -53,10 +32,7 @@ struct BlendField {
         double sum = 0;
         double total = 0;
         for (const Part& part : parts) {
-            double square = std::numeric_limits<double>::infinity();
-            for (const auto& t : part.triangles) {
-                square = std::min(square, squared_distance_to_triangle(x, t));
-            }
+            const double square = part.triangles.nearest(x).square;
             const double value = part.sign * part.surface.distance(x);
             if (!(square > 1e-200)) {
                 return value;
@@ -68,36 +44,24 @@ struct BlendField {
     }
 };
 
-/// A curved surface, except close to the triangles that it was fitted to: there the plane of the nearest triangle
-/// decides, since the solid is bounded by the triangles.
+/// A curved surface that becomes the planes of the triangles that it was fitted to where it comes close to them, since
+/// the solid is bounded by the triangles. The sides of points beside the triangles are those of their planes.
 struct FacetedField {
     PatchSurface surface;
-    std::vector<std::array<Vec3, 3>> triangles;
+    NearTriangles triangles;
 
     [[nodiscard]] double operator()(const Vec3& x) const {
         const double value = surface.distance(x);
-        const double band = 2 * surface.sagitta;
-        if (!(std::abs(value) <= band)) {
+        const double band = 4 * surface.sagitta;
+        if (!(std::abs(value) <= band + surface.sagitta)) {
             return value;
         }
-        double nearest = band * band;
-        double decided = value;
-        for (const auto& t : triangles) {
-            const Vec3 u = t[1] - t[0];
-            const Vec3 v = t[2] - t[0];
-            const Vec3 n = u.cross(v);
-            const Vec3 d = x - t[0];
-            const double square = n.squaredNorm();
-            const double height = n.dot(d);
-            const double p = n.dot(d.cross(v));
-            const double q = n.dot(u.cross(d));
-            const double edge = 1e-6 * square;
-            if (height * height <= nearest * square && p >= edge && q >= edge && p + q <= square - edge) {
-                nearest = height * height / square;
-                decided = height / std::sqrt(square);
-            }
+        const NearTriangles::Hit hit = triangles.nearest(x, band * band);
+        if (!(hit.square < band * band)) {
+            return value;
         }
-        return decided;
+        const double far = hit.square / (band * band);
+        return (1 - far) * hit.height + far * value;
     }
 };
 
@@ -172,14 +136,14 @@ inline void decide_sides(const ReferenceMesh& mesh, const SheetGroup& group, std
     detail::BlendField blend;
     for (const SheetMember& member : group.members) {
         sheet.curved = sheet.curved || member.surface.kind != SurfaceKind::plane || group.members.size() > 1;
-        detail::BlendField::Part part{member.surface, member.sign, {}};
+        std::vector<std::array<Vec3, 3>> triangles;
         for (const Index f : member.fronts) {
             for (const Index t : fronts[f].region) {
                 const TriCorners& c = boundary.surface.triangles[t];
-                part.triangles.push_back({mesh.nodes[c[0]], mesh.nodes[c[1]], mesh.nodes[c[2]]});
+                triangles.push_back({mesh.nodes[c[0]], mesh.nodes[c[1]], mesh.nodes[c[2]]});
             }
         }
-        blend.parts.push_back(std::move(part));
+        blend.parts.push_back({member.surface, member.sign, detail::NearTriangles(std::move(triangles))});
     }
     if (blend.parts.size() == 1) {
         detail::BlendField::Part& part = blend.parts[0];
