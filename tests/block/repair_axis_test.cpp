@@ -29,7 +29,7 @@ TEST_CASE("a cylinder asks for two perpendicular planes through its axis") {
     const ReferenceMesh mesh = cylinder();
     const CellSnapshot s = cell_snapshot(mesh);
     CHECK_FALSE(s.report.valid());
-    const std::vector<RepairSheet> repairs = repair_axes(mesh, s, 1e-6, 3.0);
+    const std::vector<RepairSheet> repairs = repair_axes(mesh, s, 3.0);
     REQUIRE(repairs.size() == 2);
     for (const RepairSheet& repair : repairs) {
         CHECK(repair.kind == SheetKind::axis);
@@ -49,5 +49,5 @@ TEST_CASE("with them the cylinder has 24 blocks") {
 
 TEST_CASE("a valid solid needs no axis") {
     const ReferenceMesh mesh = tet_meshes::reference(tet_meshes::box(1, 1, 1), 1, false);
-    CHECK(repair_axes(mesh, cell_snapshot(mesh), 1e-6, 2.0).empty());
+    CHECK(repair_axes(mesh, cell_snapshot(mesh), 2.0).empty());
 }

@@ -91,7 +91,7 @@ private:
             options_.max_growth * static_cast<double>(std::max<std::size_t>(now.complex.corners.size(), 16));
         while (!now.report.valid() && report.rounds < options_.max_rounds &&
                static_cast<double>(now.complex.corners.size()) <= limit) {
-            std::vector<RepairSheet> repairs = repair_axes(cut.mesh, now, tolerance_, size_);
+            std::vector<RepairSheet> repairs = repair_axes(cut.mesh, now, size_);
             if (repairs.empty()) {
                 if (auto corner = repair_corner(cut.mesh, now, tolerance_, size_)) {
                     repairs.push_back(std::move(*corner));
