@@ -1,63 +1,26 @@
 // `pavior block` as its users see it: exit codes, files, messages.
 #include "support/catch.hpp"
+#include "support/program.hpp"
 
 #include <pavior/io/mesh_file.hpp>
 #include <pavior/mesh/verify_hexes.hpp>
 
-#include <nlohmann/json.hpp>
-
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
 #include <utility>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 using namespace pavior;
+using namespace pavior::test;
 namespace fs = std::filesystem;
 
 namespace {
 
-struct Outcome {
-    int code = -1;
-    std::string out, err;
-};
-
-fs::path scratch() {
-    static const fs::path directory = [] {
-        const fs::path d = fs::temp_directory_path() / ("pavior_block_program_cases_" + std::to_string(::getpid()));
-        fs::create_directories(d);
-        return d;
-    }();
-    return directory;
-}
-
-std::string content(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
-
-Outcome run(const std::string& arguments) {
-    const fs::path out = scratch() / "stdout.txt";
-    const fs::path err = scratch() / "stderr.txt";
-    const std::string command =
-        std::string(PAVIOR_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string() + " </dev/null";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(out), content(err)};
-}
-
-std::string path(const std::string& name) { return (scratch() / name).string(); }
-
-nlohmann::json json_of(const std::string& file) { return nlohmann::json::parse(content(file)); }
-
 std::string write(const std::string& name, const std::string& text) {
     std::ofstream(scratch() / name) << text;
-    return path(name);
+    return scratch_file(name);
 }
 
 /// [0, 3] x [0, 2] x [0, 1] as triangles.
@@ -112,8 +75,9 @@ std::string box_vtk() {
 }  // namespace
 
 TEST_CASE("a surface becomes blocks, with report and groups") {
-    const std::string mesh = path("blocks.vtu");
-    const Outcome outcome = run("block " + pyramid_off() + " -o " + mesh + " --report " + path("blocks.json"));
+    const std::string mesh = scratch_file("blocks.vtu");
+    const ProgramRun outcome =
+        run_program("block " + pyramid_off() + " -o " + mesh + " --report " + scratch_file("blocks.json"));
     CAPTURE(outcome.err);
     REQUIRE(outcome.code == 0);
     CHECK(outcome.err.empty());
@@ -124,7 +88,7 @@ TEST_CASE("a surface becomes blocks, with report and groups") {
     CHECK(verify_hexes(data.mesh).ok());
     CHECK(std::set<int>(data.quad_groups.begin(), data.quad_groups.end()).size() == 10);
     CHECK(std::set<int>(data.hex_groups.begin(), data.hex_groups.end()).size() == 14);
-    const auto json = json_of(path("blocks.json"));
+    const auto json = json_of(scratch_file("blocks.json"));
     CHECK(json["exit_code"] == 0);
     CHECK(json["status"] == "valid");
     CHECK(json["blocks"]["blocks"] == 92);
@@ -134,47 +98,49 @@ TEST_CASE("a surface becomes blocks, with report and groups") {
     CHECK(json["output"] == mesh);
     CHECK(json["mesh"]["volume"].get<double>() == Approx(9 + 4.0 / 15));
     CHECK(json["marking"]["sheets"].size() >= 4);
-    CHECK(run("quality " + mesh).code == 0);
+    CHECK(run_program("quality " + mesh).code == 0);
 }
 
 TEST_CASE("sheets run on or stop") {
-    const std::string common = "block " + pyramid_off() + " -o " + path("stop.vtu") + " --quiet --propagation ";
-    REQUIRE(run(common + "stop").code == 0);
-    const std::size_t stopped = read_mesh(path("stop.vtu")).mesh.hexes.size();
-    REQUIRE(run(common + "full --report " + path("stop.json")).code == 0);
-    CHECK(json_of(path("stop.json"))["options"]["propagation"] == "full");
-    CHECK(read_mesh(path("stop.vtu")).mesh.hexes.size() == 92);
-    CHECK(stopped <= 92);
+    const std::string common = "block " + pyramid_off() + " -o " + scratch_file("stop.vtu") + " --quiet --propagation ";
+    REQUIRE(run_program(common + "stop").code == 0);
+    const std::size_t stopped = read_mesh(scratch_file("stop.vtu")).mesh.hexes.size();
+    REQUIRE(run_program(common + "full --report " + scratch_file("stop.json")).code == 0);
+    CHECK(json_of(scratch_file("stop.json"))["options"]["propagation"] == "full");
+    CHECK(read_mesh(scratch_file("stop.vtu")).mesh.hexes.size() == 92);
+    CHECK(stopped == 84);
 }
 
 TEST_CASE("--size writes a fine mesh on the geometry, the same bytes for any number of threads") {
-    const std::string common = "block " + pyramid_off() + " --size 0.2 --quiet --report " + path("fine.json") + " -o ";
-    const Outcome outcome = run(common + path("fine1.vtu") + " --threads 1");
+    const std::string common =
+        "block " + pyramid_off() + " --size 0.2 --quiet --report " + scratch_file("fine.json") + " -o ";
+    const ProgramRun outcome = run_program(common + scratch_file("fine1.vtu") + " --threads 1");
     REQUIRE(outcome.code == 0);
     CHECK(outcome.out.empty());
     CHECK(outcome.err.empty());
-    const HexMeshData data = read_mesh(path("fine1.vtu"));
+    const HexMeshData data = read_mesh(scratch_file("fine1.vtu"));
     CHECK(data.mesh.hexes.size() > 1000);
     const HexReport report = verify_hexes(data.mesh);
     CHECK(report.ok());
     CHECK(report.volume == Approx(9 + 4.0 / 15).epsilon(1e-12));
     CHECK(data.quads.size() == report.boundary_quads);
     CHECK(std::set<int>(data.hex_groups.begin(), data.hex_groups.end()).size() == 92);
-    const auto json = json_of(path("fine.json"));
+    const auto json = json_of(scratch_file("fine.json"));
     CHECK(json["refinement"]["sheets"].size() == json["blocks"]["sheets"].get<std::size_t>());
     CHECK(json["mesh"]["hexahedra"] == data.mesh.hexes.size());
-    REQUIRE(run(common + path("fine2.vtu") + " --threads 2").code == 0);
-    CHECK(content(path("fine1.vtu")) == content(path("fine2.vtu")));
+    REQUIRE(run_program(common + scratch_file("fine2.vtu") + " --threads 2").code == 0);
+    CHECK(content(scratch_file("fine1.vtu")) == content(scratch_file("fine2.vtu")));
 }
 
 TEST_CASE("tetrahedra and CAD models are read too, and tags of faces travel") {
-    REQUIRE(run("block " + box_vtk() + " -o " + path("tets.vtu")).code == 0);
-    CHECK(read_mesh(path("tets.vtu")).mesh.hexes.size() == 8);
+    REQUIRE(run_program("block " + box_vtk() + " -o " + scratch_file("tets.vtu")).code == 0);
+    CHECK(read_mesh(scratch_file("tets.vtu")).mesh.hexes.size() == 8);
     const std::string part = std::string(PAVIOR_EXAMPLE_DATA) + "/mfcad/4-4-19.step";
-    const Outcome outcome = run("block " + part + " -o " + path("part.msh") + " --report " + path("part.json"));
+    const ProgramRun outcome =
+        run_program("block " + part + " -o " + scratch_file("part.msh") + " --report " + scratch_file("part.json"));
     CAPTURE(outcome.err);
     REQUIRE(outcome.code == 0);
-    const HexMeshData data = read_mesh(path("part.msh"));
+    const HexMeshData data = read_mesh(scratch_file("part.msh"));
     CHECK(verify_hexes(data.mesh).ok());
     std::size_t faces = 0;
     for (const MeshGroup& group : data.groups) {
@@ -183,24 +149,45 @@ TEST_CASE("tetrahedra and CAD models are read too, and tags of faces travel") {
     CHECK(faces == 12);
 }
 
+TEST_CASE("tetrahedra whose feature edges have no names become blocks") {
+    const auto blocks_of = [](const std::string& solid) {
+        std::string input(PAVIOR_EXAMPLE_DATA);
+        input.append("/mc3d/hexme_").append(solid).append("_MC.vtk");
+        const ProgramRun outcome = run_program("block " + input + " -o " + scratch_file("mc.vtu") +
+                                               " --size 1.2 --report " + scratch_file("mc.json") + " --quiet");
+        CAPTURE(solid, outcome.err);
+        REQUIRE(outcome.code == 0);
+        const HexReport report = verify_hexes(read_mesh(scratch_file("mc.vtu")).mesh);
+        CHECK(report.ok());
+        return json_of(scratch_file("mc.json"))["blocks"]["blocks"].get<int>();
+    };
+    CHECK(blocks_of("s01c_cube") == 8);
+    CHECK(blocks_of("s02c_prism") == 6);
+    CHECK(blocks_of("n09c_pyramid") == 8);
+    CHECK(blocks_of("s07c_notch") > 8);
+    CHECK(blocks_of("s11c_cube_cyl") > 24);
+}
+
 TEST_CASE("the dual can be looked at, also where it makes no blocks") {
-    const Outcome outcome = run("block " + box_off() + " -o " + path("box.vtu") + " --mu 0.2 --dual " +
-                                path("dual.vtu") + " --report " + path("dual.json"));
+    const ProgramRun outcome =
+        run_program("block " + box_off() + " -o " + scratch_file("box.vtu") + " --mu 0.2 --dual " +
+                    scratch_file("dual.vtu") + " --report " + scratch_file("dual.json"));
     CAPTURE(outcome.err);
     REQUIRE(outcome.code == 0);
-    CHECK(fs::file_size(path("dual.vtu")) > 1000);
-    const auto json = json_of(path("dual.json"));
+    CHECK(fs::file_size(scratch_file("dual.vtu")) > 1000);
+    const auto json = json_of(scratch_file("dual.json"));
     CHECK(json["dual"]["regions"] == 27);
     CHECK(json["dual"]["region_polyhedra"].get<int>() == 15 * json["reference"]["tetrahedra_cut"].get<int>());
     CHECK(json["options"]["mu"] == 0.2);
-    const Outcome pyramid = run("block " + pyramid_off() + " --marking published -o " + path("none.vtu") + " --dual " +
-                                path("none_dual.vtu") + " --report " + path("none.json"));
+    const ProgramRun pyramid =
+        run_program("block " + pyramid_off() + " --marking published -o " + scratch_file("none.vtu") + " --dual " +
+                    scratch_file("none_dual.vtu") + " --report " + scratch_file("none.json"));
     CAPTURE(pyramid.err);
     CHECK(pyramid.code == 3);
     CHECK(pyramid.err.find("not meshable: invalid_dual") != std::string::npos);
-    CHECK_FALSE(fs::exists(path("none.vtu")));
-    CHECK(fs::exists(path("none_dual.vtu")));
-    const auto report = json_of(path("none.json"));
+    CHECK_FALSE(fs::exists(scratch_file("none.vtu")));
+    CHECK(fs::exists(scratch_file("none_dual.vtu")));
+    const auto report = json_of(scratch_file("none.json"));
     CHECK(report["exit_code"] == 3);
     CHECK_FALSE(report["violations"].empty());
     CHECK(report["violations"][0].contains("fault"));
@@ -208,36 +195,37 @@ TEST_CASE("the dual can be looked at, also where it makes no blocks") {
 
 TEST_CASE("feature angles decide what is a curve") {
     // Edges of 90 degrees are no features if only sharper ones end: the box has no vertices then.
-    const std::string common = "block " + box_off() + " -o " + path("angles.vtu") + " --report " + path("angles.json");
-    REQUIRE(run(common + " --feature-angles 91,225,315").code == 0);
-    CHECK(json_of(path("angles.json"))["options"]["feature_angles"][0] == 91.0);
-    CHECK(read_mesh(path("angles.vtu")).mesh.hexes.size() == 8);
-    const Outcome smooth = run(common + " --feature-angles 80 225 315");
+    const std::string common =
+        "block " + box_off() + " -o " + scratch_file("angles.vtu") + " --report " + scratch_file("angles.json");
+    REQUIRE(run_program(common + " --feature-angles 91,225,315").code == 0);
+    CHECK(json_of(scratch_file("angles.json"))["options"]["feature_angles"][0] == 91.0);
+    CHECK(read_mesh(scratch_file("angles.vtu")).mesh.hexes.size() == 8);
+    const ProgramRun smooth = run_program(common + " --feature-angles 80 225 315");
     CHECK((smooth.code == 0 || smooth.code == 1 || smooth.code == 3));
-    CHECK(json_of(path("angles.json"))["blocks"]["blocks"] != 8);
+    CHECK(json_of(scratch_file("angles.json"))["blocks"]["blocks"] != 8);
 }
 
 TEST_CASE("an invalid block mesh is reported and only written on demand") {
     // Most of a thin ring is one box: its straight blocks cut through the hole, the fine mesh follows the ring.
-    const std::string common = "block " + open_ring_off() + " -o " + path("ring.vtu");
-    const Outcome outcome = run(common);
+    const std::string common = "block " + open_ring_off() + " -o " + scratch_file("ring.vtu");
+    const ProgramRun outcome = run_program(common);
     CAPTURE(outcome.err);
     REQUIRE(outcome.code == 1);
     CHECK(outcome.err.find("inverted") != std::string::npos);
-    CHECK_FALSE(fs::exists(path("ring.vtu")));
-    CHECK(run(common + " --keep-invalid").code == 1);
-    CHECK(fs::exists(path("ring.vtu")));
-    CHECK(run("quality " + path("ring.vtu")).code == 1);
-    const Outcome fine = run(common + " --size 0.5");
+    CHECK_FALSE(fs::exists(scratch_file("ring.vtu")));
+    CHECK(run_program(common + " --keep-invalid").code == 1);
+    CHECK(fs::exists(scratch_file("ring.vtu")));
+    CHECK(run_program("quality " + scratch_file("ring.vtu")).code == 1);
+    const ProgramRun fine = run_program(common + " --size 0.5");
     CAPTURE(fine.err);
     CHECK(fine.code == 0);
     CHECK(fine.err.find("warning") != std::string::npos);
-    CHECK(run("quality " + path("ring.vtu")).code == 0);
+    CHECK(run_program("quality " + scratch_file("ring.vtu")).code == 0);
 }
 
 TEST_CASE("bad block options and files exit with 2 and say why") {
     const std::string box = box_off();
-    const std::string mesh = path("x.vtu");
+    const std::string mesh = scratch_file("x.vtu");
     const std::string open = write("open.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n");
     write("garbage.stl", "this is no STL file");
     write("empty.off", "");
@@ -252,22 +240,22 @@ TEST_CASE("bad block options and files exit with 2 and say why") {
                                          "block " + box + " -o " + mesh + " --mu nan",
                                          "block " + box + " -o " + mesh + " --feature-angles 135 225",
                                          "block " + box + " -o " + mesh + " --feature-angles 200,225,315",
-                                         "block " + box + " -o " + mesh + " --dual " + path("dual.txt"),
+                                         "block " + box + " -o " + mesh + " --dual " + scratch_file("dual.txt"),
                                          "block " + box + " -o " + mesh + " --no-such",
-                                         "block " + box + " -o " + path("x.stl"),
-                                         "block " + box + " -o " + path("none/x.vtu"),
+                                         "block " + box + " -o " + scratch_file("x.stl"),
+                                         "block " + box + " -o " + scratch_file("none/x.vtu"),
                                          "block " + open + " -o " + mesh,
-                                         "block " + path("missing.off") + " -o " + mesh,
-                                         "block " + path("garbage.stl") + " -o " + mesh,
-                                         "block " + path("empty.off") + " -o " + mesh,
-                                         "block " + path("stdout.txt") + " -o " + mesh}) {
+                                         "block " + scratch_file("missing.off") + " -o " + mesh,
+                                         "block " + scratch_file("garbage.stl") + " -o " + mesh,
+                                         "block " + scratch_file("empty.off") + " -o " + mesh,
+                                         "block " + scratch_file("stdout.txt") + " -o " + mesh}) {
         CAPTURE(arguments);
-        const Outcome outcome = run(arguments);
+        const ProgramRun outcome = run_program(arguments);
         CHECK(outcome.code == 2);
         CHECK_FALSE(outcome.err.empty());
         CHECK_FALSE(fs::exists(mesh));
     }
-    const Outcome outcome = run("block " + open + " -o " + mesh);
+    const ProgramRun outcome = run_program("block " + open + " -o " + mesh);
     CHECK(outcome.err.find("open_surface") != std::string::npos);
-    CHECK(run("block --help").code == 0);
+    CHECK(run_program("block --help").code == 0);
 }

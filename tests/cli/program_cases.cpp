@@ -1,56 +1,23 @@
 // The program as its users see it: exit codes, files, messages.
 #include "support/catch.hpp"
+#include "support/program.hpp"
 
 #include <pavior/io/mesh_file.hpp>
 #include <pavior/mesh/verify_hexes.hpp>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 using namespace pavior;
+using namespace pavior::test;
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Outcome {
-    int code = -1;
-    std::string out, err;
-};
-
-fs::path scratch() {
-    static const fs::path directory = [] {
-        const fs::path d = fs::temp_directory_path() / ("pavior_program_cases_" + std::to_string(::getpid()));
-        fs::create_directories(d);
-        return d;
-    }();
-    return directory;
-}
-
-std::string content(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
-
-Outcome run(const std::string& arguments) {
-    const fs::path out = scratch() / "stdout.txt";
-    const fs::path err = scratch() / "stderr.txt";
-    const std::string command =
-        std::string(PAVIOR_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string() + " </dev/null";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(out), content(err)};
-}
 
 std::string example(const std::string& name) { return std::string(PAVIOR_EXAMPLE_DATA) + "/" + name; }
 
@@ -61,8 +28,8 @@ std::string test_case(const std::string& name) { return std::string(PAVIOR_TEST_
 TEST_CASE("a STEP part becomes a valid mesh, with report and groups") {
     const std::string mesh = scratch() / "part.vtu";
     const std::string report = scratch() / "part.json";
-    const Outcome outcome =
-        run("sweep " + example("mfcad/4-4-19.step") + " --size 2 -o " + mesh + " --report " + report);
+    const ProgramRun outcome =
+        run_program("sweep " + example("mfcad/4-4-19.step") + " --size 2 -o " + mesh + " --report " + report);
     CAPTURE(outcome.err);
     REQUIRE(outcome.code == 0);
     const HexMeshData data = read_mesh(mesh);
@@ -75,21 +42,21 @@ TEST_CASE("a STEP part becomes a valid mesh, with report and groups") {
     CHECK(json["mesh"]["volume"].get<double>() == Approx(json["solids"][0]["cad_volume"].get<double>()).epsilon(1e-9));
     CHECK(outcome.out.find("hexahedra") != std::string::npos);
     CHECK(outcome.err.empty());
-    CHECK(run("quality " + mesh).code == 0);
+    CHECK(run_program("quality " + mesh).code == 0);
 }
 
 TEST_CASE("--quiet is quiet, threads and formats do not change the mesh") {
     const std::string part = "sweep " + example("mfcad/6-8-8-8-19.step") + " --size 1 --quiet -o ";
     const std::string a = scratch() / "a.vtu";
-    const Outcome outcome = run(part + a + " --threads 1");
+    const ProgramRun outcome = run_program(part + a + " --threads 1");
     REQUIRE(outcome.code == 0);
     CHECK(outcome.out.empty());
     CHECK(outcome.err.empty());
-    REQUIRE(run(part + (scratch() / "b.vtu").string() + " --threads 2").code == 0);
+    REQUIRE(run_program(part + (scratch() / "b.vtu").string() + " --threads 2").code == 0);
     CHECK(content(a) == content(scratch() / "b.vtu"));
     const HexMeshData want = read_mesh(a);
     for (const char* name : {"c.msh", "c.inp", "c.vtk"}) {
-        REQUIRE(run(part + (scratch() / name).string()).code == 0);
+        REQUIRE(run_program(part + (scratch() / name).string()).code == 0);
         const HexMeshData got = read_mesh(scratch() / name);
         CHECK(got.mesh.hexes == want.mesh.hexes);
         REQUIRE(got.mesh.nodes.size() == want.mesh.nodes.size());
@@ -99,7 +66,8 @@ TEST_CASE("--quiet is quiet, threads and formats do not change the mesh") {
 
 TEST_CASE("an assembly conforms across its shared faces and keeps the names of its solids") {
     const std::string mesh = scratch() / "assembly.msh";
-    const Outcome outcome = run("sweep " + example("assembly/bolt_plate_washer.step") + " --size 2 -o " + mesh);
+    const ProgramRun outcome =
+        run_program("sweep " + example("assembly/bolt_plate_washer.step") + " --size 2 -o " + mesh);
     CAPTURE(outcome.err);
     REQUIRE(outcome.code == 0);
     const HexMeshData data = read_mesh(mesh);
@@ -123,11 +91,12 @@ TEST_CASE("IGES files are meshed as the STEP files of the same parts, loose face
     const std::string mesh = (scratch() / "iges.vtu").string();
     for (const std::string part : {"4-4-19", "s15o_cylinder"}) {
         const std::string step = part == "4-4-19" ? "mfcad/4-4-19.step" : "hexme/s15o_cylinder.stp";
-        REQUIRE(run("sweep " + example(step) + " --size 1 -o " + mesh + " --quiet").code == 0);
+        REQUIRE(run_program("sweep " + example(step) + " --size 1 -o " + mesh + " --quiet").code == 0);
         const auto want = verify_hexes(read_mesh(mesh).mesh);
         for (const std::string form : {"_faces.igs", "_solid.igs"}) {
             INFO(part << form);
-            REQUIRE(run("sweep " + example("iges/" + part + form) + " --size 1 -o " + mesh + " --quiet").code == 0);
+            REQUIRE(run_program("sweep " + example("iges/" + part + form) + " --size 1 -o " + mesh + " --quiet").code ==
+                    0);
             const auto got = verify_hexes(read_mesh(mesh).mesh);
             CHECK(got.ok());
             CHECK(got.volume == Approx(want.volume).epsilon(1e-6));
@@ -136,8 +105,8 @@ TEST_CASE("IGES files are meshed as the STEP files of the same parts, loose face
 }
 
 TEST_CASE("a size that leaves a cap no quads is made finer, and the user is told") {
-    const Outcome outcome =
-        run("sweep " + example("mfcad/6-8-8-8-19.step") + " --size 4 -o " + (scratch() / "coarse.vtu").string());
+    const ProgramRun outcome = run_program("sweep " + example("mfcad/6-8-8-8-19.step") + " --size 4 -o " +
+                                           (scratch() / "coarse.vtu").string());
     CAPTURE(outcome.err);
     CHECK(outcome.code == 0);
     CHECK(verify_hexes(read_mesh(scratch() / "coarse.vtu").mesh).ok());
@@ -147,24 +116,24 @@ TEST_CASE("a size that leaves a cap no quads is made finer, and the user is told
 TEST_CASE("--layers, --source and --target are obeyed") {
     const std::string report = scratch() / "layers.json";
     const std::string common = " --size 2 -o " + (scratch() / "layers.vtu").string() + " --report " + report;
-    REQUIRE(run("sweep " + example("mfcad/4-4-19.step") + common + " --layers 7").code == 0);
+    REQUIRE(run_program("sweep " + example("mfcad/4-4-19.step") + common + " --layers 7").code == 0);
     auto json = nlohmann::json::parse(content(report));
     CHECK(json["solids"][0]["layers"] == 7);
     const std::string source = std::to_string(json["solids"][0]["source"].get<int>());
     const std::string target = std::to_string(json["solids"][0]["target"].get<int>());
     REQUIRE(
-        run("sweep " + example("mfcad/4-4-19.step") + common + " --source " + target + " --target " + source).code ==
-        0);
+        run_program("sweep " + example("mfcad/4-4-19.step") + common + " --source " + target + " --target " + source)
+            .code == 0);
     json = nlohmann::json::parse(content(report));
     CHECK(json["solids"][0]["source"] == std::stoi(target));
-    CHECK(run("sweep " + example("mfcad/4-4-19.step") + common + " --source 999").code == 2);
-    CHECK(run("sweep " + example("mfcad/4-4-19.step") + common + " --source " + source + " --target " + source).code ==
-          2);
+    CHECK(run_program("sweep " + example("mfcad/4-4-19.step") + common + " --source 999").code == 2);
+    CHECK(run_program("sweep " + example("mfcad/4-4-19.step") + common + " --source " + source + " --target " + source)
+              .code == 2);
 }
 
 TEST_CASE("a solid that cannot be swept is refused with the reason, and nothing is written") {
     const std::string mesh = scratch() / "refused.vtu";
-    const Outcome outcome = run("sweep " + example("mfcad/0-1-13-19.step") + " --size 1 -o " + mesh);
+    const ProgramRun outcome = run_program("sweep " + example("mfcad/0-1-13-19.step") + " --size 1 -o " + mesh);
     CHECK(outcome.code == 3);
     CHECK(outcome.err.find("face") != std::string::npos);
     CHECK_FALSE(fs::exists(mesh));
@@ -179,7 +148,7 @@ TEST_CASE("a sweep problem in JSON gives the expected nodes") {
                                                  {" --strategy front --method h", "front", "H31_bec"},
                                                  {" --strategy front --method g --correction none", "front", "G"}}) {
         CAPTURE(key);
-        REQUIRE(run("sweep " + input + " -o " + mesh + " --smooth off" + options).code == 0);
+        REQUIRE(run_program("sweep " + input + " -o " + mesh + " --smooth off" + options).code == 0);
         const HexMeshData data = read_mesh(mesh);
         const auto& expected = json["expected"][strategy][key];
         const std::size_t n = json["source_nodes"].size();
@@ -205,7 +174,7 @@ TEST_CASE("bad sweep problems are refused by the name of their error") {
         CAPTURE(entry.path().string());
         std::vector<std::string> accepted = json["also_acceptable"];
         accepted.push_back(json["want"]);
-        const Outcome outcome = run("sweep " + entry.path().string() + " -o " + mesh);
+        const ProgramRun outcome = run_program("sweep " + entry.path().string() + " -o " + mesh);
         CAPTURE(outcome.err);
         if (json["want"] == "ok") {
             CHECK(outcome.code == 0);
@@ -229,13 +198,13 @@ TEST_CASE("an invalid mesh is reported and only written on demand") {
         "target_nodes": [[0,0,1],[1,0,1],[1,1,1],[0,1,1]], "loops": [[0,3,2,1]],
         "boundary_levels": [[[0,0,0],[0,1,0],[1,1,0],[1,0,0]], [[0,0,1],[0,1,1],[1,1,1],[1,0,1]]]})";
     const std::string mesh = scratch() / "inside_out.vtu";
-    const Outcome outcome = run("sweep " + file.string() + " -o " + mesh);
+    const ProgramRun outcome = run_program("sweep " + file.string() + " -o " + mesh);
     CHECK(outcome.code == 1);
     CHECK(outcome.err.find("inverted") != std::string::npos);
     CHECK_FALSE(fs::exists(mesh));
-    CHECK(run("sweep " + file.string() + " -o " + mesh + " --keep-invalid").code == 1);
+    CHECK(run_program("sweep " + file.string() + " -o " + mesh + " --keep-invalid").code == 1);
     CHECK(fs::exists(mesh));
-    CHECK(run("quality " + mesh).code == 1);
+    CHECK(run_program("quality " + mesh).code == 1);
 }
 
 TEST_CASE("bad options and files exit with 2 and say why") {
@@ -266,11 +235,11 @@ TEST_CASE("bad options and files exit with 2 and say why") {
           "quality " + (scratch() / "missing.vtu").string(),
           "quality " + part}) {
         CAPTURE(arguments);
-        const Outcome outcome = run(arguments);
+        const ProgramRun outcome = run_program(arguments);
         CHECK(outcome.code == 2);
         CHECK_FALSE(outcome.err.empty());
         CHECK_FALSE(fs::exists(mesh));
     }
-    CHECK(run("--help").code == 0);
-    CHECK(run("sweep --help").code == 0);
+    CHECK(run_program("--help").code == 0);
+    CHECK(run_program("sweep --help").code == 0);
 }
