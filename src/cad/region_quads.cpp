@@ -80,7 +80,7 @@ public:
         if (quality_ < acceptable) {
             consider(detail::subdivided_triangles(loops_, size));
         }
-        if (best_.quads.empty() || quality_ <= 0) {
+        if (best_.quads.empty() || quality_ < flat) {
             throw Error(ErrorCode::cad_failure, "a plane region of " + std::to_string(region_.points.size()) +
                                                     " boundary nodes cannot be filled with quads");
         }
@@ -92,6 +92,7 @@ public:
     }
 
 private:
+    static constexpr double flat = 1e-5;  ///< a quad with a corner like this is as good as folded
     static constexpr double good = 0.5;
     static constexpr double acceptable = 0.35;
     static constexpr int allowed_failures = 4;

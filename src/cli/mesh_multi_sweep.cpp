@@ -32,7 +32,8 @@ std::string note_of(const MultiSweepAttempt& attempt) {
     std::ostringstream text;
     const Vec3 d = attempt.direction + Vec3::Zero();  // no -0
     text << "along (" << d[0] << ", " << d[1] << ", " << d[2] << "), merging within " << attempt.merge
-         << " sizes: " << (attempt.error.empty() ? "least scaled Jacobian " : attempt.error);
+         << " sizes, chords within " << attempt.chord << ": "
+         << (attempt.error.empty() ? "least scaled Jacobian " : attempt.error);
     if (attempt.error.empty()) {
         text << attempt.quality;
     }
@@ -51,7 +52,7 @@ void try_multi_sweep(const GmshBrep& model, std::span<const SolidId> solids, con
     result.details["attempts"] = Json::array();
     for (const MultiSweepAttempt& attempt : best.attempts) {
         const Vec3 d = attempt.direction + Vec3::Zero();  // no -0
-        Json json{{"direction", {d[0], d[1], d[2]}}, {"merge", attempt.merge}};
+        Json json{{"direction", {d[0], d[1], d[2]}}, {"merge", attempt.merge}, {"chord", attempt.chord}};
         json["scaled_jacobian"] = attempt.error.empty() ? Json(attempt.quality) : Json();
         json["error"] = attempt.error;
         json["faces"] = attempt.tags;

@@ -80,3 +80,25 @@ TEST_CASE("a cell that admits no quads is reported, and the others are filled") 
     CHECK(failed == std::vector<Index>{0});
     CHECK(mesh.cell_quads == std::vector<std::size_t>{0, 0, 4});
 }
+
+TEST_CASE("quads that are flat at a corner count as none") {
+    // One quad in a triangle whose long side has two intervals.
+    const PlaneArrangement plane = arranged(PolygonBody({bottom(0, {{{0, 0}, {2, 0}, {1, 1}}})}));
+    std::vector<int> intervals;
+    for (const PlaneEdge& edge : plane.edges) {
+        intervals.push_back((edge.points.front() - edge.points.back()).norm() > 1.9 ? 2 : 1);
+    }
+    const std::vector<char> wanted(1, 1);
+    const auto one = [](const PlaneRegion& region) { return PlaneQuadMesh{region.points, {{0, 1, 2, 3}}}; };
+    std::size_t failures = 0;
+    const PlaneMesh mesh = mesh_plane(plane, intervals, wanted, stay, one, [&](Index, const Error&) { ++failures; });
+    CHECK(failures == 1);
+    CHECK(mesh.quads.empty());
+    // The mesher itself does not hand out such a quad.
+    const auto honest = [](const PlaneRegion& region) {
+        const PlaneQuadMesh quads = mesh_region(region);
+        CHECK(quads.quads.size() > 1);
+        return quads;
+    };
+    (void)mesh_plane(plane, intervals, wanted, stay, honest, [](Index, const Error&) {});
+}

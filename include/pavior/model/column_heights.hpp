@@ -52,7 +52,7 @@ private:
 };
 
 /// How a node got its place; higher values prevail.
-enum class NodePlace : std::uint8_t { none, extended, cap, exact };
+enum class NodePlace : std::uint8_t { none, extended, cap, exact, vertex };
 
 namespace detail {
 

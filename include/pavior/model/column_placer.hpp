@@ -2,6 +2,7 @@
 /// \file
 /// Where the nodes of columns of hexahedra lie.
 
+#include <pavior/core/error.hpp>
 #include <pavior/model/cell_stacks.hpp>
 #include <pavior/model/column_heights.hpp>
 #include <pavior/model/column_levels.hpp>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -35,7 +37,7 @@ public:
 
     /// \p tolerance: heights closer than this are equal.
     void place(double tolerance) {
-        place_curves();
+        place_curves(1e3 * tolerance);
         place_in_plane(1e3 * tolerance);
         place_caps();
         extend(tolerance);
@@ -71,7 +73,7 @@ private:
         }
     }
 
-    void place_curves() {
+    void place_curves(double tolerance) {
         for (Index c = 0; c < body_.curves.size(); ++c) {
             for (const OrientedPlaneEdge& use : arrangement_.routes[c]) {
                 for (const Index p : plane_.edges[use.edge]) {
@@ -82,7 +84,14 @@ private:
         for (Index c = 0; c < body_.curves.size(); ++c) {
             for (std::size_t k = 0; k < 2; ++k) {
                 const Index v = body_.curves[c].vertices[k];
-                put(id(arrangement_.ends[c][k], levels_.vertices[v]), body_.vertices[v], NodePlace::exact);
+                const Index node = id(arrangement_.ends[c][k], levels_.vertices[v]);
+                if (node != no_index && how_[node] == NodePlace::vertex &&
+                    (places_[node] - body_.vertices[v]).norm() > tolerance) {
+                    throw UnmeshableError(
+                        ErrorCode::not_sweepable,
+                        "a vertex of edge " + std::to_string(body_.curves[c].tag) + " falls together with another one");
+                }
+                put(node, body_.vertices[v], NodePlace::vertex);
             }
         }
     }
@@ -142,7 +151,7 @@ private:
         double farthest = 0;
         std::optional<std::size_t> below;
         for (std::size_t level = first; level <= last; ++level) {
-            if (how_[node(level)] != NodePlace::exact) {
+            if (how_[node(level)] < NodePlace::exact) {
                 const Vec2 at = below ? Vec2(places_[node(*below)].template head<2>()) : plane_.nodes[p];
                 places_[node(level)].template head<2>() = at;
                 continue;

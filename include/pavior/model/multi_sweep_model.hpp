@@ -71,6 +71,7 @@ template <brep B, plane_imprinter I, class Solver, region_mesher M>
 struct MultiSweepAttempt {
     Vec3 direction = Vec3::UnitZ();
     double merge = 0;    ///< MultiSweepOptions::merge
+    double chord = 0;    ///< MultiSweepOptions::chord
     double quality = 0;  ///< least scaled Jacobian; meaningless with an error
     std::string error;   ///< empty: a mesh was made
     Error::Ids tags;     ///< faces that the error names
@@ -82,8 +83,9 @@ struct BestMultiSweep {
 };
 
 /// Sweeps \p solids along each direction that recognise_extrusions() finds possible, best first, with the merging
-/// tolerance of \p options and without merging, until a mesh has a least scaled Jacobian of \p sufficient; otherwise the
-/// best counts. Nothing is tried once out_of_time() is true. Callables as for multi_sweep().
+/// tolerance of \p options, without merging, and, where that makes no mesh, with a twentieth of the chord error for very
+/// short edges, until a mesh has a least scaled Jacobian of \p sufficient; otherwise the best counts. Nothing is tried
+/// once out_of_time() is true. Callables as for multi_sweep().
 /// \throws UnmeshableError not_sweepable naming faces where no direction is possible; InputError as multi_sweep()
 template <brep B, plane_imprinter I, class Solver, region_mesher M, class OutOfTime>
 [[nodiscard]] BestMultiSweep best_multi_sweep(const B& b, std::span<const SolidId> solids,
@@ -98,13 +100,15 @@ template <brep B, plane_imprinter I, class Solver, region_mesher M, class OutOfT
     BestMultiSweep result;
     double best = -2;
     for (const Extrusion& extrusion : extrusions) {
-        for (const double merge : {options.merge, 0.0}) {
-            if (!extrusion.possible() || best >= sufficient || out_of_time()) {
+        for (const auto& [merge, chord] : {std::pair(options.merge, 1.0), {0.0, 1.0}, {0.0, 0.05}}) {
+            const bool finer = chord < 1.0;
+            if (!extrusion.possible() || best >= sufficient || (finer && best > 0) || out_of_time()) {
                 continue;
             }
-            MultiSweepAttempt attempt{extrusion.direction, merge, 0, {}, {}};
             MultiSweepOptions own = options;
             own.merge = merge;
+            own.chord *= chord;
+            MultiSweepAttempt attempt{extrusion.direction, merge, own.chord, 0, {}, {}};
             try {
                 MultiSweptModel mesh = multi_sweep_model(b, solids, extrusion, own, imprint, solver, mesher, sizes);
                 attempt.quality = hex_quality(mesh.mesh).scaled_jacobian.min;

@@ -96,6 +96,21 @@ inline void part_repeated(const std::vector<Index>& nodes, PlaneRegion& region) 
     }
 }
 
+/// True if a quad has a corner that is no corner: folded, or straight as where two of its edges are those of a line.
+[[nodiscard]] inline bool has_flat_corner(std::span<const Vec2> nodes, std::span<const QuadCorners> quads) {
+    constexpr double flat = 1e-5;
+    return std::any_of(quads.begin(), quads.end(), [&](const QuadCorners& quad) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Vec2 out = nodes[quad[(k + 1) % 4]] - nodes[quad[k]];
+            const Vec2 in = nodes[quad[(k + 3) % 4]] - nodes[quad[k]];
+            if (!(out[0] * in[1] - out[1] * in[0] > flat * out.norm() * in.norm())) {
+                return true;
+            }
+        }
+        return false;
+    });
+}
+
 /// Appends the quads of one cell.
 template <region_mesher M>
 void mesh_cell(const PlaneCell& cell, M&& mesher, PlaneMesh& mesh) {
@@ -108,6 +123,14 @@ void mesh_cell(const PlaneCell& cell, M&& mesher, PlaneMesh& mesh) {
     part_repeated(nodes, region);
     const PlaneQuadMesh quads = mesher(region);
     PAVIOR_ASSERT(quads.nodes.size() >= nodes.size());
+    PlaneQuadMesh real = quads;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        real.nodes[i] = mesh.nodes[nodes[i]];
+    }
+    if (has_flat_corner(real.nodes, real.quads)) {
+        throw Error(ErrorCode::cad_failure,
+                    "a cell of " + std::to_string(nodes.size()) + " boundary nodes cannot be filled with quads");
+    }
     for (std::size_t i = nodes.size(); i < quads.nodes.size(); ++i) {
         nodes.push_back(static_cast<Index>(mesh.nodes.size()));
         mesh.nodes.push_back(quads.nodes[i]);
@@ -120,8 +143,9 @@ void mesh_cell(const PlaneCell& cell, M&& mesher, PlaneMesh& mesh) {
 }  // namespace detail
 
 /// Divides the edges of \p plane into \p intervals each, at equal arc length, moves the nodes by
-/// place(edge, point) (onto the true curve, say), and fills the cells that are \p wanted (one flag each) with \p mesher. An Error cad_failure of \p mesher
-/// is passed to failed(cell, error), and that cell has no quads then; anything else that it throws passes through.
+/// place(edge, point) (onto the true curve, say), and fills the cells that are \p wanted (one flag each) with \p mesher.
+/// An Error cad_failure of \p mesher, or one because a quad is folded or flat at a corner, is passed to failed(cell,
+/// error), and that cell has no quads then; anything else that it throws passes through.
 template <class Place, region_mesher M, class Failed>
 [[nodiscard]] PlaneMesh mesh_plane(const PlaneArrangement& plane, std::span<const int> intervals,
                                    std::span<const char> wanted, Place&& place, M&& mesher, Failed&& failed) {
