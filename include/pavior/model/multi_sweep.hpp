@@ -19,9 +19,6 @@
 #include <cstdint>
 #include <numbers>
 #include <numeric>
-#include <optional>
-#include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -217,8 +214,9 @@ inline void check_multi_sweep(const ExtrudedBody& body, const MultiSweepOptions&
 /// \p imprint makes arrangements (plane_imprinter), \p solver solves integer programs (e.g. `solve`), \p mesher fills
 /// plane regions with quads (region_mesher). The result is not verified; use verify_hexes(). Deterministic if these
 /// are. O(hexahedra) memory and time, but for the solver, and for levels whose caps are not of one height.
-/// \throws UnmeshableError not_sweepable naming faces (tags) that are too narrow or have no level;
-/// infeasible_intervals; InputError bad_option, empty_input, size_mismatch; what the callables throw
+/// \throws UnmeshableError not_sweepable naming faces (tags) that are too narrow or have no level, or an edge a vertex of
+/// which would share its node with another vertex; infeasible_intervals; InputError bad_option, empty_input,
+/// size_mismatch; what the callables throw
 template <extruded_geometry G, plane_imprinter I, class Solver, region_mesher M>
 [[nodiscard]] MultiSweepMesh multi_sweep(const ExtrudedBody& body, const G& geometry, const MultiSweepOptions& options,
                                          I&& imprint, Solver&& solver, M&& mesher) {
