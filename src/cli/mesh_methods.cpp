@@ -59,12 +59,15 @@ void judge(const GmshBrep& model, std::span<const SolidId> solids, const MeshCom
     result.min_jacobian = check.quality.scaled_jacobian.min;
     result.details["mesh"] = cli::to_json(result.data, check);
     result.details["cad_volume"] = volume;
-    result.outcome = check.valid() && complete ? Outcome::mesh : Outcome::invalid;
+    const bool flat = !(result.min_jacobian > 1e-6);
+    result.outcome = check.valid() && complete && !flat ? Outcome::mesh : Outcome::invalid;
     std::ostringstream reason;
     if (!check.verify.ok()) {
         reason << check.verify.text();
     } else if (check.quality.inverted > 0) {
         reason << check.quality.inverted << " inverted hexahedra";
+    } else if (flat) {
+        reason << "hexahedra are flat, the least scaled Jacobian is " << result.min_jacobian;
     } else if (!complete) {
         reason << "its volume is " << check.verify.volume << ", that of the CAD model " << volume;
     }

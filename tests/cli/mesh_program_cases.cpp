@@ -170,6 +170,25 @@ TEST_CASE("mesh: solids that share faces are meshed together, conforming") {
     CHECK(group_name(data, 3, 1) == "plate");
 }
 
+TEST_CASE("mesh: solids apart from each other get each its own method") {
+    const std::string mesh = scratch_file("apart.msh");
+    const std::string report = scratch_file("apart.json");
+    const ProgramRun run = run_program(std::string("mesh ") + PAVIOR_TEST_DATA + "/cad/box_and_cylinder.step" +
+                                       " --size 0.5 -o " + mesh + " --report " + report);
+    CAPTURE(run.err);
+    REQUIRE(run.code == 0);
+    const auto json = json_of(report);
+    REQUIRE(json["decisions"].size() == 2);
+    CHECK(json["decisions"][0]["method"] == "submap");
+    CHECK(json["decisions"][1]["method"] == "sweep");
+    const HexMeshData data = read_mesh(mesh);
+    CHECK(verify_hexes(data.mesh).ok());
+    CHECK(std::count(data.hex_groups.begin(), data.hex_groups.end(), 1) == 6 * 4 * 2);
+    CHECK(std::count(data.hex_groups.begin(), data.hex_groups.end(), 2) ==
+          static_cast<std::ptrdiff_t>(data.mesh.hexes.size() - 48));
+    CHECK(std::set<int>(data.quad_groups.begin(), data.quad_groups.end()).size() == 9);
+}
+
 TEST_CASE("mesh: twice the same bytes, whatever the threads") {
     const std::string arguments = "mesh " + example("mfcad/9-12-19.step") + " --size 1.5 --quiet -o ";
     REQUIRE(run_program(arguments + scratch_file("a.vtu") + " --threads 1").code == 0);

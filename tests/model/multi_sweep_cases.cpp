@@ -1,0 +1,185 @@
+// Random 2.5D solids, built by the CAD kernel, through the many-to-many sweep. With PAVIOR_FUZZ=first:count in the
+// environment other seeds are tried; each seed without a valid mesh is printed.
+#include "support/catch.hpp"
+
+#include <pavior/cad/gmsh_brep.hpp>
+#include <pavior/cad/region_quads.hpp>
+#include <pavior/core/error.hpp>
+#include <pavior/imprint/imprint.hpp>
+#include <pavior/mesh/verify_hexes.hpp>
+#include <pavior/model/integer_program.hpp>
+#include <pavior/model/multi_sweep_model.hpp>
+
+#include <gmsh.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <numbers>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace pavior;
+
+namespace {
+
+namespace occ = gmsh::model::occ;
+
+/// Numbers that do not depend on the standard library.
+class Dice {
+public:
+    explicit Dice(unsigned seed) : engine_(seed) {}
+    double real(double low, double high) { return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0; }
+    int whole(int low, int high) { return low + static_cast<int>(real(0, 1) * (high - low + 1)); }
+
+private:
+    std::mt19937 engine_;
+};
+
+/// A box, a cylinder or a prism over a polygon between two levels.
+std::pair<int, int> piece(Dice& dice, double z0, double z1) {
+    const double x = dice.real(0, 7);
+    const double y = dice.real(0, 7);
+    const int kind = dice.whole(0, 2);
+    if (kind == 0) {
+        return {3, occ::addBox(x, y, z0, dice.real(1, 5), dice.real(1, 5), z1 - z0)};
+    }
+    const double radius = dice.real(0.7, 2.5);
+    if (kind == 1) {
+        return {3, occ::addCylinder(x, y, z0, 0, 0, z1 - z0, radius)};
+    }
+    const int corners = dice.whole(3, 6);
+    const double turn = dice.real(0, 6);
+    std::vector<int> points;
+    std::vector<int> lines;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = turn + 2 * std::numbers::pi * i / corners;
+        points.push_back(occ::addPoint(x + radius * std::cos(angle), y + radius * std::sin(angle), z0));
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        lines.push_back(occ::addLine(points[i], points[(i + 1) % points.size()]));
+    }
+    gmsh::vectorpair out;
+    occ::extrude({{2, occ::addPlaneSurface({occ::addCurveLoop(lines)})}}, 0, 0, z1 - z0, out);
+    for (const auto& entity : out) {
+        if (entity.first == 3) {
+            return entity;
+        }
+    }
+    return {3, 0};
+}
+
+/// Drops all solids but the largest.
+void keep_largest(gmsh::vectorpair& solids) {
+    const auto volume = [](const auto& solid) {
+        double result = 0;
+        occ::getMass(solid.first, solid.second, result);
+        return result;
+    };
+    std::iter_swap(solids.begin(), std::max_element(solids.begin(), solids.end(), [&](const auto& a, const auto& b) {
+                       return volume(a) < volume(b);
+                   }));
+    gmsh::vectorpair all;
+    occ::getEntities(all, 3);
+    all.erase(std::remove(all.begin(), all.end(), solids.front()), all.end());
+    occ::remove(all, true);
+    solids.resize(1);
+}
+
+/// A union of pieces minus some others, at up to five levels, turned in space.
+void make_solid(unsigned seed) {
+    Dice dice(seed);
+    std::vector<double> levels{0};
+    for (int i = 0; i < 4; ++i) {
+        levels.push_back(levels.back() + dice.real(0.5, 2));
+    }
+    gmsh::vectorpair solid{{3, occ::addBox(0, 0, 0, 8, 8, levels[static_cast<std::size_t>(dice.whole(1, 4))])}};
+    const int pieces = dice.whole(1, 6);
+    for (int i = 0; i < pieces; ++i) {
+        const int low = dice.whole(0, 3);
+        const int high = dice.whole(low + 1, 4);
+        const gmsh::vectorpair tool{
+            piece(dice, levels[static_cast<std::size_t>(low)], levels[static_cast<std::size_t>(high)])};
+        gmsh::vectorpair out;
+        std::vector<gmsh::vectorpair> map;
+        if (dice.whole(0, 1) == 0) {
+            occ::fuse(solid, tool, out, map);
+        } else {
+            occ::cut(solid, tool, out, map);
+        }
+        solid = out;
+    }
+    keep_largest(solid);
+    occ::rotate(solid, 0, 0, 0, dice.real(-1, 1), dice.real(-1, 1), dice.real(-1, 1), dice.real(0, 3));
+    occ::synchronize();
+}
+
+enum class Outcome { valid, refused, invalid };
+
+/// The least scaled Jacobian of the best mesh.
+double quality_of(const BestMultiSweep& best) { return hex_quality(best.mesh->mesh).scaled_jacobian.min; }
+
+Outcome try_seed(unsigned seed, std::string& text) {
+    const GmshBrep model = GmshBrep::build([&] { make_solid(seed); });
+    std::vector<SolidId> solids;
+    double volume = 0;
+    for (std::size_t s = 0; s < model.solid_count(); ++s) {
+        solids.push_back(SolidId{static_cast<std::int32_t>(s)});
+        volume += model.solid_volume(solids.back());
+    }
+    MultiSweepOptions options;
+    options.size = 1;
+    const auto start = std::chrono::steady_clock::now();
+    const auto late = [&] { return std::chrono::steady_clock::now() - start > std::chrono::seconds(60); };
+    const auto solver = [](const IntegerProgram& program) { return solve(program, {5, 1e-3}); };
+    try {
+        const BestMultiSweep best = best_multi_sweep(model, solids, options, imprint, solver, GmshRegionMesher{}, late);
+        for (const MultiSweepAttempt& attempt : best.attempts) {
+            text += attempt.error + "; ";
+        }
+        if (!best.mesh) {
+            return Outcome::refused;
+        }
+        const HexReport report = verify_hexes(best.mesh->mesh);
+        CHECK(report.boundary_quads <= best.mesh->quads.size());
+        if (!report.ok() || quality_of(best) <= 0) {
+            text += report.text();
+            CHECK_FALSE(quality_of(best) > 0);  // what is not valid must not look so
+            return Outcome::invalid;
+        }
+        CHECK(report.volume == Approx(volume).epsilon(0.05));  // chords of coarse cylinders
+        return Outcome::valid;
+    } catch (const UnmeshableError& error) {
+        text = error.what();
+        return Outcome::refused;
+    }
+}
+
+}  // namespace
+
+TEST_CASE("random extruded solids are meshed") {
+    unsigned first = 1;
+    unsigned count = 6;
+    if (const char* given = std::getenv("PAVIOR_FUZZ")) {
+        const std::string text = given;
+        first = static_cast<unsigned>(std::stoul(text));
+        count = static_cast<unsigned>(std::stoul(text.substr(text.find(':') + 1)));
+    }
+    unsigned valid = 0;
+    for (unsigned seed = first; seed < first + count; ++seed) {
+        CAPTURE(seed);
+        std::string text;
+        const Outcome outcome = try_seed(seed, text);
+        valid += outcome == Outcome::valid ? 1 : 0;
+        if (outcome != Outcome::valid) {
+            std::cerr << "seed " << seed << (outcome == Outcome::refused ? " refused: " : " INVALID: ") << text << "\n";
+        }
+    }
+    std::cerr << valid << " of " << count << " random solids valid\n";
+    CHECK(10 * valid >= 8 * count);
+}
