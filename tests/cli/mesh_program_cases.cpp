@@ -147,7 +147,7 @@ TEST_CASE("mesh: the time limit strikes, and the answer says so") {
 TEST_CASE("mesh: an invalid mesh exits with 1 and is only written on demand") {
     const std::string mesh = scratch_file("invalid.vtu");
     const std::string arguments =
-        "mesh " + example("mfcad/10-11-11-11-11-23.step") + " --size 3 --method submap -o " + mesh;
+        "mesh " + example("mfcad/10-11-11-11-11-23.step") + " --size 3 --method submap --timeout 0 -o " + mesh;
     const ProgramRun run = run_program(arguments);
     CHECK(run.code == 1);
     CHECK(run.err.find("inverted") != std::string::npos);
