@@ -148,6 +148,10 @@ template <extruded_geometry G, class Solver, class M>
     const PlaneArrangement& plane = imprinted.plane;
     const auto curves = curves_of_edges(plane);
     std::vector<double> sizes = edge_sizes(body, plane, options.size);
+    std::vector<double> lengths;
+    for (const PlaneEdge& edge : plane.edges) {
+        lengths.push_back(polyline_size(edge.points).length);
+    }
     std::vector<char> wanted;
     for (const CellStack& stack : imprinted.stacks) {
         wanted.push_back(static_cast<char>(!stack.caps.empty()));
@@ -174,7 +178,8 @@ template <extruded_geometry G, class Solver, class M>
                 }
                 for (const auto& loop : plane.cells[cell].loops) {
                     for (const OrientedPlaneEdge& use : loop) {
-                        sizes[use.edge] *= 0.7;
+                        const double intervals_more = intervals.numbers[use.edge] + 1;
+                        sizes[use.edge] = std::min(0.7 * sizes[use.edge], lengths[use.edge] / intervals_more);
                     }
                 }
             });
