@@ -12,7 +12,7 @@ option(PAVIOR_INSTALL "Install rules" ${PROJECT_IS_TOP_LEVEL})
 option(PAVIOR_WARNINGS_AS_ERRORS "Our own CI: warnings on, and every one an error" OFF)
 
 if(PAVIOR_BUILD_CLI AND NOT (PAVIOR_BUILD_IO AND PAVIOR_BUILD_CAD AND PAVIOR_BUILD_TETRA AND PAVIOR_BUILD_IMPRINT))
-  message(FATAL_ERROR "PAVIOR_BUILD_CLI needs PAVIOR_BUILD_ IO, CAD, TETRA and IMPRINT")
+  message(FATAL_ERROR "PAVIOR_BUILD_CLI needs PAVIOR_BUILD_IO, _CAD, _TETRA and _IMPRINT")
 endif()
 
 # Flags of our own sources, never of those who use pavior.
