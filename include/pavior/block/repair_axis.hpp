@@ -3,8 +3,8 @@
 /// Repair of what is round: planes through the axes of closed chains and of patches with too few corners, or through
 /// a centre where there is no axis.
 
+#include <pavior/block/detail/round_things.hpp>
 #include <pavior/block/repair_sheet.hpp>
-#include <pavior/block/round_things.hpp>
 
 #include <Eigen/Geometry>
 
