@@ -117,7 +117,8 @@ inline void add_tube_sheets(const RoundThing& thing, std::vector<RepairSheet>& s
 
 /// The sheets through everything round that violates the conditions, all of one axis sharing theirs: two
 /// perpendicular planes through each axis, turned to the planar patches of the solid if there are any; three through
-/// each centre; the plane and the cylinder through the circle of centres of a torus; one halfway between the corners of a patch with two. Empty if nothing round is in the way.
+/// each centre; the plane and the cylinder through the circle of centres of a torus; one halfway between the corners
+/// of a patch with two. Empty if nothing round is in the way.
 [[nodiscard]] inline std::vector<RepairSheet> repair_axes(const ReferenceMesh& mesh, const CellSnapshot& s,
                                                           double size) {
     std::vector<detail::RoundThing> things = detail::round_things(mesh, s);
