@@ -136,6 +136,44 @@ TEST_CASE("a hexahedron inverted by fixed nodes alone is reported, the others ar
     CHECK(fixed_kept(before, grid));
 }
 
+TEST_CASE("hexahedra that contradict each other at a fixed node are seen at once", "[hexes]") {
+    const auto id = [](Index i, Index j, Index k) { return i + 13 * j + 169 * k; };
+    HexGrid grid = hex_grid(12, 12, 12);
+    std::swap(grid.nodes[id(5, 6, 12)], grid.nodes[id(6, 6, 12)]);  // two nodes of the upper face
+    const HexGrid before = grid;
+    const SmoothReport report = untangle(grid);
+    CHECK(report.status == SmoothStatus::still_inverted);
+    CHECK(report.iterations == 0);
+    CHECK(grid.nodes == before.nodes);
+    shake(grid, 2.0, 5);  // and the others are repaired none the less
+    const SmoothReport other = untangle(grid);
+    CHECK(other.inverted_before > 1500);
+    CHECK(other.inverted_after <= report.inverted_after);
+    CHECK(other.iterations < 500);
+}
+
+TEST_CASE("keep_minimum refuses fewer inverted hexahedra with a worse worst", "[hexes]") {
+    std::size_t lowered = 0;
+    for (unsigned seed = 0; seed < 12; ++seed) {
+        CAPTURE(seed);
+        HexGrid grid = hex_grid(3, 3, 3);
+        Random random(seed);
+        for (Vec3& x : grid.nodes) {
+            x += Vec3(random(-0.7, 0.7), random(-0.7, 0.7), random(-0.7, 0.7));
+        }
+        HexGrid copy = grid;
+        UntangleOptions options;
+        const SmoothReport free = untangle(copy, options);
+        options.keep_minimum = true;
+        const SmoothReport kept = untangle(grid, options);
+        lowered += free.min_det_after < free.min_det_before ? 1U : 0U;
+        CHECK(kept.min_det_after >= kept.min_det_before);
+        CHECK(kept.inverted_after <= kept.inverted_before);
+        CHECK(free.inverted_after <= kept.inverted_after);
+    }
+    CHECK(lowered > 0);
+}
+
 TEST_CASE("a box turned inside out comes back no worse, with its ids", "[hexes]") {
     HexGrid grid = hex_grid(3, 3, 3);
     for (Vec3& x : grid.nodes) {

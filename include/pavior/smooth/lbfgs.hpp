@@ -23,6 +23,7 @@ struct LbfgsOptions {
 struct LbfgsResult {
     double value = 0.0;
     int iterations = 0;
+    int evaluations = 0;  ///< calls of f
 };
 
 /// L-BFGS (two-loop recursion) with a weak Wolfe line search by bracketing and safeguarded interpolation. The function
@@ -44,14 +45,14 @@ public:
         if (diagonal.size() == x.size()) {
             inverse_diagonal_ = diagonal.cwiseInverse();
         }
-        LbfgsResult result{f(x, gradient_), 0};
+        LbfgsResult result{f(x, gradient_), 0, 1};
         std::array<double, 5> past;
         past.fill(std::numeric_limits<double>::infinity());
         count_ = 0;
         while (result.iterations < options.max_iterations &&
                gradient_.lpNorm<Eigen::Infinity>() > options.gradient_tolerance) {
             direction();
-            if (!search(x, f, result.value)) {
+            if (!search(x, f, result)) {
                 if (count_ == 0) {
                     break;
                 }
@@ -106,10 +107,11 @@ private:
     [[nodiscard]] double scale_if(bool has_history) const { return has_history ? scale_ : 1.0; }
     [[nodiscard]] static std::size_t at(int slot) { return static_cast<std::size_t>(slot); }
 
-    /// Moves x, value and gradient_ along direction_; false if no decrease was found (nothing is changed then).
+    /// Moves x, the value and gradient_ along direction_; false if no decrease was found (nothing is changed then).
     template <class Function>
-    bool search(Eigen::VectorXd& x, Function& f, double& value) {
+    bool search(Eigen::VectorXd& x, Function& f, LbfgsResult& result) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
+        const double value = result.value;
         const double slope = gradient_.dot(direction_);
         double low = 0.0;
         double high = infinity;
@@ -117,6 +119,7 @@ private:
         for (int attempt = 0; attempt < 40; ++attempt) {
             trial_.noalias() = x + step * direction_;
             const double trial_value = f(trial_, trial_gradient_);
+            ++result.evaluations;
             if (!(trial_value <= value + 1e-4 * step * slope)) {
                 high = step;
                 const double curve = trial_value - value - step * slope;
@@ -126,7 +129,7 @@ private:
                 low = step;
                 step = high == infinity ? 2.0 * step : 0.5 * (low + high);
             } else {
-                accept(x, value, trial_value);
+                accept(x, result.value, trial_value);
                 return true;
             }
         }

@@ -34,6 +34,9 @@ struct UntangleOptions {
     /// A patch that is valid but has a smaller determinant than this is tried again with more rings; the better result
     /// counts. In [0, 1); 0 accepts whatever is valid.
     double sufficient_det = 0.05;
+    /// A patch that cannot be repaired is kept if fewer of its cells are inverted; true: and if its smallest
+    /// determinant does not shrink either.
+    bool keep_minimum = false;
     /// Hexahedra only: where they must be positive.
     HexPositivity positivity = HexPositivity::corners_and_centre;
     /// Surface quads only: quads run counter-clockwise about -(d/du x d/dv).

@@ -11,12 +11,12 @@
 
 namespace pavior {
 
-/// Outcome of untangle_quads(), untangle_surface_quads() and untangle_hexes(). The names are stable.
+/// Outcome of untangle_quads(), untangle_surface_quads(), untangle_hexes() and improve_hexes(). The names are stable.
 enum class SmoothStatus : std::uint8_t {
-    unchanged,       ///< nothing was inverted: not a node touched
+    unchanged,       ///< nothing was inverted, nothing to gain: not a node moved
     repaired,        ///< something was inverted, nothing is any more
     still_inverted,  ///< some cells could not be repaired; the mesh is the input or has fewer inverted cells
-    improved,        ///< nothing was inverted, but nodes were moved because UntangleOptions::always is set
+    improved,        ///< nothing was inverted, but nodes were moved for the quality
 };
 
 /// The stable name of \p status, e.g. "still_inverted".
@@ -30,9 +30,10 @@ enum class SmoothStatus : std::uint8_t {
     return "unknown";
 }
 
-/// Report of one untangling. "det" is the determinant of the unit edge vectors at a corner (for hexahedra also of the
-/// unit axes at the centre): the scaled Jacobian, in [-1, 1], 1 for a rectangle or box, 0 where an edge is null.
-/// A cell is inverted if one of its determinants is not above 1e-12. Minima are over the whole mesh; 1 without cells.
+/// Report of one untangling or improvement. "det" is the determinant of the unit edge vectors at a corner (for
+/// hexahedra also of the unit axes at the centre): the scaled Jacobian, in [-1, 1], 1 for a rectangle or box, 0 where
+/// an edge is null. A cell is inverted if one of its determinants is not above 1e-12. Minima are over the whole mesh;
+/// 1 without cells.
 struct SmoothReport {
     SmoothStatus status = SmoothStatus::unchanged;
     std::size_t inverted_before = 0;

@@ -3,9 +3,9 @@
 /// Untangling where the nodes move freely in the plane (quads) or in space (hexahedra).
 
 #include <pavior/smooth/detail/cell_energy.hpp>
+#include <pavior/smooth/detail/contradictions.hpp>
 #include <pavior/smooth/detail/foldover.hpp>
 #include <pavior/smooth/detail/untangle.hpp>
-#include <pavior/smooth/lbfgs.hpp>
 
 #include <Eigen/Core>
 
@@ -38,56 +38,63 @@ public:
           reference_unit_(unit_of<D>(reference)) {}
 
     [[nodiscard]] static bool concurrent() { return true; }
+    [[nodiscard]] static bool concurrent(const Patch<D>&) { return true; }
 
     [[nodiscard]] double quality(Index c) const {
         return scaled_jacobian<D>(cell_points<D>(nodes_, cells_[c], unit_), samples_);
     }
 
-    /// A corner whose nodes are all fixed is inverted.
-    [[nodiscard]] bool hopeless(Index c) const {
+    /// Gives up the corners that contradict each other, see ContradictionFinder.
+    void find_hopeless(std::span<const Index> inverted, const PatchFinder<D>& finder) {
+        const auto points = [&](Index c) { return cell_points<D>(nodes_, cells_[c], unit_); };
+        given_up_ = ContradictionFinder<D, decltype(points)>(cells_, fixed_, finder, points).find(inverted);
+    }
+
+    /// What the quality of a cell cannot exceed: the smallest scaled determinant of the corners whose nodes are all
+    /// fixed, 1 without such a corner; -1 with a corner that was given up.
+    [[nodiscard]] double bound(Index c) const {
         const Corners& cell = cells_[c];
+        double least = given_up_.empty() || given_up_[c] == 0 ? 1.0 : -1.0;
         for (std::size_t k = 0; k < cell.size(); ++k) {
             bool rigid = fixed_[cell[k]] != 0;
             for (const int n : CellTopology<D>::neighbours[k]) {
                 rigid = rigid && fixed_[cell[static_cast<std::size_t>(n)]] != 0;
             }
-            const Matrix edges = corner_edges<D>(cell_points<D>(nodes_, cell, unit_), static_cast<int>(k));
-            if (rigid && !(scaled_determinant<D>(edges) > inverted_tolerance)) {
-                return true;
+            if (rigid) {
+                const CellPoints<D> points = cell_points<D>(nodes_, cell, unit_);
+                least = std::min(least, scaled_determinant<D>(corner_edges<D>(points, static_cast<int>(k))));
             }
         }
-        return false;
+        return least;
     }
 
-    void save(const Patch<D>& patch) {
-        saved_.resize(patch.free_count);
+    /// A corner whose nodes are all fixed is inverted, or one was given up.
+    [[nodiscard]] bool hopeless(Index c) const { return is_inverted(bound(c)); }
+
+    [[nodiscard]] std::vector<Vector> save(const Patch<D>& patch) const {
+        std::vector<Vector> saved(patch.free_count);
         for (std::size_t k = 0; k < patch.free_count; ++k) {
-            saved_[k] = nodes_[patch.nodes[k]];
+            saved[k] = nodes_[patch.nodes[k]];
         }
+        return saved;
     }
-    void restore(const Patch<D>& patch) {
+    /// One free node alone.
+    void restore(const Patch<D>& patch, const std::vector<Vector>& saved, Index local) {
+        nodes_[patch.nodes[local]] = saved[local];
+    }
+    void restore(const Patch<D>& patch, const std::vector<Vector>& saved) {
         for (std::size_t k = 0; k < patch.free_count; ++k) {
-            nodes_[patch.nodes[k]] = saved_[k];
+            nodes_[patch.nodes[k]] = saved[k];
         }
     }
 
-    int solve(const Patch<D>& patch, double wanted) {
+    int solve(const Patch<D>& patch, double wanted, const Execution& execution) {
         const Frame frame = frame_of(patch);
-        CellEnergy<D> energy(coordinates(patch, frame), patch.cells, patch.free_count, samples_, options_.execution);
-        if (!reference_.empty()) {
-            set_ideal(energy, patch);
-        }
-        const FoldoverOptions limits{options_.max_iterations, options_.inner_iterations, options_.theta};
-        const Eigen::VectorXd start = energy.free_nodes();
-        Eigen::VectorXd x = start;
-        const int iterations = solve_patch(energy, x, wanted, limits, lbfgs_);
-        if (x != start) {
-            write(patch, frame, x);
-        }
-        return iterations;
+        CellEnergy<D> energy = energy_of(patch, frame, execution);
+        return move_patch(energy, wanted, options_, [&](const Eigen::VectorXd& x) { write(patch, frame, x); });
     }
 
-private:
+protected:
     /// Local coordinates of a patch: (x - origin) / size.
     struct Frame {
         Vector origin;
@@ -130,6 +137,27 @@ private:
         }
     }
 
+    [[nodiscard]] CellEnergy<D> energy_of(const Patch<D>& patch, const Frame& frame, const Execution& execution) const {
+        CellEnergy<D> energy(coordinates(patch, frame), patch.cells, patch.free_count, samples_, execution);
+        if (!reference_.empty()) {
+            set_ideal(energy, patch);
+        }
+        leave_out(energy, patch);
+        return energy;
+    }
+
+    /// Takes the corners that were given up out of a sum over \p patch.
+    void leave_out(CellSum<D>& sum, const Patch<D>& patch) const {
+        for (std::size_t k = 0; k < patch.cell_ids.size() && !given_up_.empty(); ++k) {
+            sum.leave_out(k, given_up_[patch.cell_ids[k]]);
+        }
+    }
+
+    [[nodiscard]] const UntangleOptions& options() const { return options_; }
+    [[nodiscard]] Vector& node(Index i) { return nodes_[i]; }
+    [[nodiscard]] int samples() const { return samples_; }
+
+private:
     /// Ideal simplices from the reference, scaled so that their mean measure is 1, weighted by it; squares or cubes
     /// where a reference cell is degenerate.
     void set_ideal(CellEnergy<D>& energy, const Patch<D>& patch) const {
@@ -166,23 +194,29 @@ private:
     int samples_;
     double unit_;
     double reference_unit_;
-    std::vector<Vector> saved_;
-    Lbfgs lbfgs_;
+    std::vector<std::uint32_t> given_up_;  ///< bit per corner of a cell; empty: none
 };
 
-/// Runs a CartesianModel and fills in what only the coordinates tell.
+/// Throws InputError for a mesh that no CartesianModel can take.
 template <int D>
-SmoothReport untangle_cartesian(std::span<Eigen::Matrix<double, D, 1>> nodes, std::span<const CellCorners<D>> cells,
-                                std::span<const std::uint8_t> fixed, const UntangleOptions& options,
-                                std::span<const Eigen::Matrix<double, D, 1>> reference) {
+void check_mesh(std::span<Eigen::Matrix<double, D, 1>> nodes, std::span<const CellCorners<D>> cells,
+                std::size_t fixed_count, std::span<const Eigen::Matrix<double, D, 1>> reference) {
     using Vector = Eigen::Matrix<double, D, 1>;
-    check_options(options);
-    check_cells<D>(cells, nodes.size(), fixed.size());
+    check_cells<D>(cells, nodes.size(), fixed_count);
     check_finite<Vector>(nodes, "node");
     check_finite<Vector>(reference, "reference node");
     if (!reference.empty() && reference.size() != nodes.size()) {
         throw InputError(ErrorCode::size_mismatch, "the reference must have one node per node of the mesh, or none");
     }
+}
+
+/// Checks everything and runs a CartesianModel.
+template <int D>
+SmoothReport untangle_cartesian(std::span<Eigen::Matrix<double, D, 1>> nodes, std::span<const CellCorners<D>> cells,
+                                std::span<const std::uint8_t> fixed, const UntangleOptions& options,
+                                std::span<const Eigen::Matrix<double, D, 1>> reference) {
+    check_options(options);
+    check_mesh<D>(nodes, cells, fixed.size(), reference);
     CartesianModel<D> model(nodes, cells, fixed, reference, options);
     return Untangler<D, CartesianModel<D>>(model, cells, fixed, options).run();
 }

@@ -70,6 +70,11 @@ public:
         return patches;
     }
 
+    /// The cells that use node i, ascending.
+    [[nodiscard]] std::span<const Index> cells_round(Index i) const {
+        return std::span(incident_).subspan(offsets_[i], offsets_[i + 1] - offsets_[i]);
+    }
+
 private:
     static constexpr Index none = static_cast<Index>(-1);
 
@@ -161,10 +166,6 @@ private:
         for (const Index c : patch.cell_ids) {
             taken_[c] = 0;
         }
-    }
-
-    [[nodiscard]] std::span<const Index> cells_round(Index i) const {
-        return std::span(incident_).subspan(offsets_[i], offsets_[i + 1] - offsets_[i]);
     }
 
     std::span<const Corners> cells_;

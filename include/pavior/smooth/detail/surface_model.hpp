@@ -7,7 +7,6 @@
 #include <pavior/smooth/detail/cell_energy.hpp>
 #include <pavior/smooth/detail/foldover.hpp>
 #include <pavior/smooth/detail/untangle.hpp>
-#include <pavior/smooth/lbfgs.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -68,6 +67,7 @@ public:
     }
 
     [[nodiscard]] static bool concurrent() { return false; }
+    [[nodiscard]] static bool concurrent(const Patch<2>&) { return false; }
 
     /// Scaled Jacobian in space about the surface's normal in the middle of the quad; not above the one in the
     /// parameter plane where the quad folds there.
@@ -101,38 +101,36 @@ public:
         return false;
     }
 
-    void save(const Patch<2>& patch) {
-        saved_.resize(patch.free_count);
-        saved_points_.resize(patch.free_count);
+    /// Parameters and points of the free nodes.
+    struct Saved {
+        std::vector<Vec2> uv;
+        std::vector<Vec3> points;
+    };
+    [[nodiscard]] Saved save(const Patch<2>& patch) const {
+        Saved saved;
         for (std::size_t k = 0; k < patch.free_count; ++k) {
-            saved_[k] = uv_[patch.nodes[k]];
-            saved_points_[k] = points_[patch.nodes[k]];
+            saved.uv.push_back(uv_[patch.nodes[k]]);
+            saved.points.push_back(points_[patch.nodes[k]]);
         }
+        return saved;
     }
-    void restore(const Patch<2>& patch) {
+    void restore(const Patch<2>& patch, const Saved& saved) {
         for (std::size_t k = 0; k < patch.free_count; ++k) {
-            uv_[patch.nodes[k]] = saved_[k];
-            points_[patch.nodes[k]] = saved_points_[k];
+            uv_[patch.nodes[k]] = saved.uv[k];
+            points_[patch.nodes[k]] = saved.points[k];
         }
     }
 
-    int solve(const Patch<2>& patch, double wanted) {
+    int solve(const Patch<2>& patch, double wanted, const Execution& execution) {
         const Frame frame = frame_of(patch);
-        CellEnergy<2> flat(coordinates(patch, frame), patch.cells, patch.free_count, 0, options_.execution);
+        CellEnergy<2> flat(coordinates(patch, frame), patch.cells, patch.free_count, 0, execution);
         if (!reference_.empty()) {
             set_ideal(flat, patch);
         }
-        const Eigen::VectorXd start = flat.free_nodes();
         MetricEnergy energy(std::move(flat), [&](const Eigen::VectorXd& x, std::vector<Eigen::Matrix2d>& roots) {
             metric_roots(patch, frame, x, roots);
         });
-        const FoldoverOptions limits{options_.max_iterations, options_.inner_iterations, options_.theta};
-        Eigen::VectorXd x = start;
-        const int iterations = solve_patch(energy, x, wanted, limits, lbfgs_);
-        if (x != start) {
-            write(patch, frame, x);
-        }
-        return iterations;
+        return move_patch(energy, wanted, options_, [&](const Eigen::VectorXd& x) { write(patch, frame, x); });
     }
 
 private:
@@ -314,12 +312,10 @@ private:
     std::span<const std::uint8_t> fixed_;
     std::span<const Vec3> reference_;
     const UntangleOptions& options_;
-    std::vector<Vec3> points_, saved_points_;
-    std::vector<Vec2> saved_;
+    std::vector<Vec3> points_;
     Vec2 low_, high_, range_;
     double unit_ = 1.0;
     double reference_unit_ = 1.0;
-    Lbfgs lbfgs_;
 };
 
 }  // namespace pavior::detail

@@ -8,6 +8,7 @@
 #include <pavior/core/progress.hpp>
 #include <pavior/smooth/detail/cell_shape.hpp>
 #include <pavior/smooth/detail/patch.hpp>
+#include <pavior/smooth/detail/patch_schedule.hpp>
 #include <pavior/smooth/options.hpp>
 #include <pavior/smooth/report.hpp>
 
@@ -17,6 +18,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,21 +28,59 @@ namespace pavior::detail {
 /// A cell is inverted unless its smallest scaled determinant is above this.
 inline constexpr double inverted_tolerance = 1e-12;
 
+[[nodiscard]] inline bool is_inverted(double quality) { return !(quality > inverted_tolerance); }
+
+/// The quality of each cell of a smoothing_model.
+template <class Model>
+[[nodiscard]] std::vector<double> scan_quality(const Model& model, std::size_t cells, const Execution& execution) {
+    std::vector<double> quality(cells);
+    parallel_for(model.concurrent() ? execution : sequential, cells, 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = begin; c < end; ++c) {
+            quality[c] = model.quality(static_cast<Index>(c));
+        }
+    });
+    return quality;
+}
+
+/// What a report says of the cells before any work.
+inline void set_before(SmoothReport& result, std::span<const double> quality) {
+    result.inverted_before = static_cast<std::size_t>(std::count_if(quality.begin(), quality.end(), is_inverted));
+    result.min_det_before = quality.empty() ? 1.0 : *std::min_element(quality.begin(), quality.end());
+}
+
+/// What a report says of them afterwards, and the status; moved_nodes must be known.
+inline void set_after(SmoothReport& result, std::span<const double> quality, std::size_t max_ids) {
+    SmoothReport now;
+    set_before(now, quality);
+    result.inverted_after = now.inverted_before;
+    result.min_det_after = now.min_det_before;
+    for (std::size_t c = 0; c < quality.size() && result.inverted_ids.size() < max_ids; ++c) {
+        if (is_inverted(quality[c])) {
+            result.inverted_ids.push_back(static_cast<Index>(c));
+        }
+    }
+    result.status = result.inverted_after != 0    ? SmoothStatus::still_inverted
+                    : result.inverted_before != 0 ? SmoothStatus::repaired
+                    : result.moved_nodes != 0     ? SmoothStatus::improved
+                                                  : SmoothStatus::unchanged;
+}
+
 /// M moves nodes of cells of dimension D:
 /// 1. m.quality(c) is the smallest scaled determinant of cell c as it is;
-/// 2. m.hopeless(c) tells that cell c is inverted whatever the free nodes do;
-/// 3. m.solve(patch, wanted) moves the free nodes of the patch until it is valid and its smallest determinant reaches
-///    `wanted`, or does what it can, and returns the iterations done;
-/// 4. m.save(patch) and m.restore(patch) keep and bring back, to the bit, the free nodes of one patch;
-/// 5. (not checkable) quality and hopeless may be called from several threads if m.concurrent() is true.
+/// 2. m.hopeless(c) tells that cell c cannot be repaired, whatever the free nodes do;
+/// 3. m.solve(patch, wanted, execution) moves the free nodes of the patch until it is valid and its smallest
+///    determinant reaches `wanted`, or does what it can, and returns the iterations done;
+/// 4. m.save(patch) and m.restore(patch, saved) keep and bring back, to the bit, the free nodes of one patch;
+/// 5. (not checkable) quality and hopeless may be called from several threads if m.concurrent() is true, and solve for
+///    patches that share no cell if m.concurrent(patch) is true for each of them.
 template <class M, int D>
 concept smoothing_model = requires(M& m, Index c, const Patch<D>& patch) {
     { m.quality(c) } -> std::convertible_to<double>;
     { m.hopeless(c) } -> std::convertible_to<bool>;
-    { m.solve(patch, 1.0) } -> std::convertible_to<int>;
-    m.save(patch);
-    m.restore(patch);
+    { m.solve(patch, 1.0, sequential) } -> std::convertible_to<int>;
+    m.restore(patch, m.save(patch));
     { m.concurrent() } -> std::convertible_to<bool>;
+    { m.concurrent(patch) } -> std::convertible_to<bool>;
 };
 
 template <int D>
@@ -87,8 +127,7 @@ public:
     SmoothReport run() {
         scan();
         SmoothReport result;
-        result.inverted_before = count_inverted();
-        result.min_det_before = least();
+        set_before(result, quality_);
         if (result.inverted_before != 0 || (options_.always && !cells_.empty())) {
             PatchFinder<D> finder(cells_, fixed_);
             repair(finder);
@@ -98,7 +137,8 @@ public:
             scan();
         }
         result.iterations = iterations_;
-        finish(result);
+        result.moved_nodes = static_cast<std::size_t>(std::count(moved_.begin(), moved_.end(), std::uint8_t{1}));
+        set_after(result, quality_, options_.max_ids);
         return result;
     }
 
@@ -107,7 +147,7 @@ private:
     /// in a row brought nothing.
     struct Seed {
         Index cell;
-        std::size_t fewest = static_cast<std::size_t>(-1);
+        std::size_t fewest = static_cast<std::size_t>(-1) / 4;
         int idle = 0;
     };
     struct Score {
@@ -115,26 +155,8 @@ private:
         double least = 1.0;
     };
 
-    void scan() {
-        const Execution execution = model_.concurrent() ? options_.execution : sequential;
-        parallel_for(execution, cells_.size(), 4096, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t c = begin; c < end; ++c) {
-                quality_[c] = model_.quality(static_cast<Index>(c));
-            }
-        });
-    }
-
-    [[nodiscard]] bool inverted(Index c) const { return !(quality_[c] > inverted_tolerance); }
-    [[nodiscard]] std::size_t count_inverted() const {
-        std::size_t count = 0;
-        for (std::size_t c = 0; c < cells_.size(); ++c) {
-            count += inverted(static_cast<Index>(c)) ? 1U : 0U;
-        }
-        return count;
-    }
-    [[nodiscard]] double least() const {
-        return quality_.empty() ? 1.0 : *std::min_element(quality_.begin(), quality_.end());
-    }
+    void scan() { quality_ = scan_quality(model_, cells_.size(), options_.execution); }
+    [[nodiscard]] bool inverted(Index c) const { return is_inverted(quality_[c]); }
     [[nodiscard]] Score score(const Patch<D>& patch) const {
         Score result;
         for (const Index c : patch.cell_ids) {
@@ -150,11 +172,19 @@ private:
     }
 
     void repair(PatchFinder<D>& finder) {
-        std::vector<Seed> seeds;
+        std::vector<Index> ids;
         for (std::size_t c = 0; c < cells_.size(); ++c) {
-            const Index id = static_cast<Index>(c);
-            if (inverted(id) && !model_.hopeless(id)) {
-                seeds.push_back({id});
+            if (inverted(static_cast<Index>(c))) {
+                ids.push_back(static_cast<Index>(c));
+            }
+        }
+        if constexpr (requires { model_.find_hopeless(ids, finder); }) {
+            model_.find_hopeless(ids, finder);
+        }
+        std::vector<Seed> seeds;
+        for (const Index c : ids) {
+            if (!model_.hopeless(c)) {
+                seeds.push_back({c});
             }
         }
         const double total = static_cast<double>(seeds.size());
@@ -173,55 +203,60 @@ private:
             ids.push_back(seeds[k].cell);
             seed_at_[seeds[k].cell] = static_cast<Index>(k);
         }
-        std::vector<Seed> left;
-        for (const Patch<D>& patch : finder.find(ids, rings)) {
-            std::vector<Seed> here;
-            for (const Index c : patch.cell_ids) {
+        const std::vector<Patch<D>> patches = finder.find(ids, rings);
+        std::vector<std::vector<Seed>> left(patches.size());
+        std::vector<int> iterations(patches.size());
+        const auto concurrent = [&](const Patch<D>& patch) { return model_.concurrent(patch); };
+        for_each_patch(options_.execution, patches, concurrent, [&](std::size_t at, const Execution& execution) {
+            for (const Index c : patches[at].cell_ids) {
                 const Index k = seed_at_[c];
                 if (k < seeds.size() && seeds[k].cell == c) {
-                    here.push_back(seeds[k]);
+                    left[at].push_back(seeds[k]);
                 }
             }
-            repair_patch(patch, here);
-            left.insert(left.end(), here.begin(), here.end());
+            iterations[at] = repair_patch(patches[at], left[at], execution);
+        });
+        iterations_ = std::accumulate(iterations.begin(), iterations.end(), iterations_);
+        std::vector<Seed> all;
+        for (const std::vector<Seed>& part : left) {
+            all.insert(all.end(), part.begin(), part.end());
         }
-        return left;
+        return all;
     }
 
     /// One attempt on a patch; \p seeds loses those that need no other or would not gain from it. What is not repaired
     /// goes back, so that the next attempt starts from the input; unless this is the last: then fewer count.
-    void repair_patch(const Patch<D>& patch, std::vector<Seed>& seeds) {
+    /// \return iterations done.
+    int repair_patch(const Patch<D>& patch, std::vector<Seed>& seeds, const Execution& execution) {
         const Score before = score(patch);
-        const Score after = try_patch(patch, options_.sufficient_det);
+        const auto saved = model_.save(patch);
+        const int iterations = model_.solve(patch, options_.sufficient_det, execution);
+        measure(patch);
+        const Score after = score(patch);
         const bool tangled = after.inverted > hopeless_in(patch);
-        const bool better = after.inverted < before.inverted ||
+        const bool lower = options_.keep_minimum && after.least < before.least;
+        const bool better = (after.inverted < before.inverted && !lower) ||
                             (after.inverted == 0 && after.least > before.least + 0.1 * std::abs(before.least));
         bool last = patch.complete;
         for (Seed& seed : seeds) {
-            const bool gained = tangled ? after.inverted < seed.fewest : better;
+            const bool gained = tangled ? 4 * after.inverted < 3 * seed.fewest : better;
             seed.idle = gained ? 0 : seed.idle + 1;
             seed.fewest = std::min(seed.fewest, after.inverted);
             last = last || seed.idle >= (tangled && patch.cells.size() <= large_patch ? 4 : 2);
         }
-        keep(patch, better && (!tangled || last));
+        keep(patch, better && (!tangled || last), saved);
         if (last || (!tangled && (after.inverted != 0 || after.least >= options_.sufficient_det))) {
             seeds.clear();
         }
+        return iterations;
     }
 
-    /// Moves the nodes of a patch; what was is saved.
-    Score try_patch(const Patch<D>& patch, double wanted) {
-        model_.save(patch);
-        iterations_ += model_.solve(patch, wanted);
-        measure(patch);
-        return score(patch);
-    }
-
-    void keep(const Patch<D>& patch, bool accepted) {
+    template <class Saved>
+    void keep(const Patch<D>& patch, bool accepted, const Saved& saved) {
         if (accepted) {
             std::for_each_n(patch.nodes.begin(), patch.free_count, [&](Index i) { moved_[i] = 1; });
         } else {
-            model_.restore(patch);
+            model_.restore(patch, saved);
             measure(patch);
         }
     }
@@ -239,30 +274,19 @@ private:
         report(options_.progress, "smooth", 0.0);
         for (const Patch<D>& patch : finder.find(all, 1)) {
             const Score before = score(patch);
-            const Score after = try_patch(patch, 1.0);
-            keep(patch, after.inverted < before.inverted ||
-                            (after.inverted == before.inverted && after.least >= before.least));
+            const auto saved = model_.save(patch);
+            iterations_ += model_.solve(patch, 1.0, options_.execution);
+            measure(patch);
+            const Score after = score(patch);
+            const bool better =
+                after.inverted < before.inverted || (after.inverted == before.inverted && after.least >= before.least);
+            keep(patch, better, saved);
         }
         report(options_.progress, "smooth", 1.0);
     }
 
-    void finish(SmoothReport& result) const {
-        result.inverted_after = count_inverted();
-        result.min_det_after = least();
-        result.moved_nodes = static_cast<std::size_t>(std::count(moved_.begin(), moved_.end(), std::uint8_t{1}));
-        for (std::size_t c = 0; c < cells_.size() && result.inverted_ids.size() < options_.max_ids; ++c) {
-            if (inverted(static_cast<Index>(c))) {
-                result.inverted_ids.push_back(static_cast<Index>(c));
-            }
-        }
-        result.status = result.inverted_after != 0    ? SmoothStatus::still_inverted
-                        : result.inverted_before != 0 ? SmoothStatus::repaired
-                        : result.moved_nodes != 0     ? SmoothStatus::improved
-                                                      : SmoothStatus::unchanged;
-    }
-
+    static constexpr std::size_t large_patch = 2000;  ///< cells; a larger one gets fewer attempts
     static constexpr int all_rings = 1 << 30;
-    static constexpr std::size_t large_patch = 2000;
 
     Model& model_;
     const UntangleOptions& options_;

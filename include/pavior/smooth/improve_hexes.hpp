@@ -1,0 +1,176 @@
+#pragma once
+/// \file
+/// Untangles and optimises hexahedra, the worst first; boundary nodes may slide on their curves and surfaces.
+
+#include <pavior/core/error.hpp>
+#include <pavior/math/point.hpp>
+#include <pavior/mesh/mesh_access.hpp>
+#include <pavior/smooth/detail/guided_model.hpp>
+#include <pavior/smooth/detail/untangle.hpp>
+#include <pavior/smooth/detail/worst_first.hpp>
+#include <pavior/smooth/node_guide.hpp>
+#include <pavior/smooth/options.hpp>
+#include <pavior/smooth/report.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace pavior {
+
+/// Options of improve_hexes().
+struct ImproveOptions {
+    /// Cells that reach this scaled Jacobian are left alone. In (0, 1]; 1: as good as it gets. What a mesh needs, say
+    /// 0.5, is much faster.
+    double target = 1.0;
+    /// When the worst cell is stuck, work goes on for the cells below this, and ends for the others. In [0, 1].
+    double sufficient = 0.3;
+    /// Raising a cell by less counts as nothing. In (0, 0.5].
+    double gain = 0.01;
+    /// Rings of cells whose nodes are freed round a cell at most, 1 to 1000. A cell is stuck after one attempt without
+    /// gain with each.
+    int rings = 2;
+    /// Attempts on one cell at most, >= 1; at most 2 * rings while it is inverted.
+    int attempts = 30;
+    /// Work on the worst at most: evaluations times cells of their patch, divided by the cells of the mesh (1000 at
+    /// least). Above 0. 1000 take about a minute for 10^5 hexahedra with one thread; 10 to 100 are usual.
+    double effort = 1000.0;
+    /// Where a hexahedron must be positive, and its quality is taken.
+    HexPositivity positivity = HexPositivity::corners_and_centre;
+    /// Length of SmoothReport::inverted_ids at most.
+    std::size_t max_ids = 1000;
+    Execution execution = sequential;
+    Progress progress = {};
+};
+
+/// A mesh with other nodes.
+struct ImprovedHexes {
+    std::vector<Vec3> nodes;  ///< as many, in the same order
+    SmoothReport report;
+};
+
+namespace detail {
+
+inline void check_options(const ImproveOptions& options) {
+    const auto require = [](bool condition, const char* message) {
+        if (!condition) {
+            throw InputError(ErrorCode::bad_option, message);
+        }
+    };
+    require(options.target > 0.0 && options.target <= 1.0, "ImproveOptions::target must lie in (0, 1]");
+    require(options.sufficient >= 0.0 && options.sufficient <= 1.0, "ImproveOptions::sufficient must lie in [0, 1]");
+    require(options.gain > 0.0 && options.gain <= 0.5, "ImproveOptions::gain must lie in (0, 0.5]");
+    require(options.rings >= 1 && options.rings <= 1000, "ImproveOptions::rings must lie in [1, 1000]");
+    require(options.effort > 0.0, "ImproveOptions::effort must be above 0");
+    require(options.attempts >= 1, "ImproveOptions::attempts must be at least 1");
+}
+
+/// Repairs, then raises the worst first; \p result holds what was before.
+template <node_guide G>
+void improve(std::span<Vec3> nodes, std::span<const HexCorners> hexes, GuidedModel<G>& model,
+             std::span<const std::uint8_t> fixed, const UntangleOptions& untangling, const ImproveOptions& options,
+             SmoothReport& result) {
+    const std::vector<Vec3> input(nodes.begin(), nodes.end());
+    try {
+        if (result.inverted_before != 0) {
+            result.iterations = Untangler<3, GuidedModel<G>>(model, hexes, fixed, untangling).run().iterations;
+        }
+        PatchFinder<3> finder(hexes, fixed);
+        const WorstFirstOptions limits{options.target,   options.sufficient, options.gain,      options.rings,
+                                       options.attempts, options.effort,     options.execution, options.progress};
+        WorstFirst<GuidedModel<G>> improver(model, hexes.size(), finder, limits);
+        result.iterations += improver.run();
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            result.moved_nodes += nodes[i] != input[i] ? 1U : 0U;
+        }
+        set_after(result, improver.quality(), options.max_ids);
+    } catch (...) {
+        std::copy(input.begin(), input.end(), nodes.begin());
+        throw;
+    }
+}
+
+}  // namespace detail
+
+/// Untangles hexahedra, then raises their smallest scaled Jacobian, the worst first. Never worse than the input: the
+/// number of inverted hexahedra does not grow, the minimum does not shrink, and of a mesh without inverted hexahedra
+/// the sorted scaled Jacobians grow in lexicographic order. Nodes are fixed, free, or slide on a curve or surface.
+///
+/// 1. Inverted hexahedra are repaired as in untangle_hexes(): foldover-free maps \cite garanzha2021 on patches that
+///    grow ring by ring. That energy finds a valid mesh from far away, but it sums the distortion against cubes (or the
+///    reference) over a patch: its minimum is the best mesh neither in the worst cell nor for thin layers. The authors
+///    bound the largest distortion, over the whole mesh; here it is angles, and only near the worst.
+/// 2. The worst hexahedra, those within 0.1 of the minimum, are seeds, and their nodes are freed (with one ring more
+///    round those that gained nothing so far). Each connected patch minimises the sum of (m / (q - t))^2 over its
+///    scaled Jacobians q, t below the smallest by m, again and again while that rises: a barrier that tends to max-min.
+///    A little weight on the lengths of edges keeps sizes: layers stay thin. Nodes that slide move in the tangent space
+///    and are projected after each minimisation. What would break the promise above goes back, node by node.
+/// 3. It ends when every hexahedron is within options.gain of options.target (or of what corners between its fixed
+///    nodes allow), when the worst that could be better is stuck (one attempt with each number of rings gained less
+///    than options.gain, or options.attempts are used up) and those below options.sufficient are too, or when
+///    options.effort is spent.
+///
+/// \param nodes      coordinates, in and out. Any unit: the result scales and moves with the input (up to rounding).
+/// \param hexes      corners, numbered as HexCorners.
+/// \param guide      what holds each node, see node_guide; FixedNodes and GuidedNodes are ready-made. Fixed nodes do
+///                   not change by a bit. Nodes that slide lie on their curve or surface when moved, as exactly as it
+///                   projects; those not moved stay as given.
+/// \param reference  only for step 1, as in untangle_hexes().
+/// \return the report. A hexahedron with an inverted corner between fixed nodes, or with one that contradicts others
+/// at a fixed node, is not worked on: it is reported.
+/// \throws InputError size_mismatch, bad_index, not_finite, bad_option; and what the guide throws. The nodes are as
+/// they were then.
+/// O(hexahedra) if the minimum is at options.target already, otherwise O(hexahedra) a round and O(patch) an iteration.
+/// The same bytes for any number of threads; patches run in parallel, those with sliding nodes only if the guide is
+/// concurrent. Not to be called on one mesh from two threads.
+template <node_guide G>
+SmoothReport improve_hexes(std::span<Vec3> nodes, std::span<const HexCorners> hexes, const G& guide,
+                           const ImproveOptions& options = {}, std::span<const Vec3> reference = {}) {
+    detail::check_options(options);
+    detail::check_mesh<3>(nodes, hexes, nodes.size(), reference);
+    std::vector<Freedom> freedoms(nodes.size());
+    std::vector<std::uint8_t> fixed(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        freedoms[i] = guide.freedom(static_cast<Index>(i));
+        fixed[i] = freedoms[i] == Freedom::fixed ? 1 : 0;
+    }
+    UntangleOptions untangling;
+    untangling.keep_minimum = true;
+    untangling.sufficient_det = 0.0;  // the second step raises it
+    untangling.positivity = options.positivity;
+    untangling.execution = options.execution;
+    untangling.progress = options.progress;
+    detail::GuidedModel<G> model(nodes, hexes, fixed, guide, freedoms, reference, untangling);
+    SmoothReport result;
+    const std::vector<double> quality = detail::scan_quality(model, hexes.size(), options.execution);
+    detail::set_before(result, quality);
+    if (result.inverted_before == 0 && result.min_det_before >= options.target - options.gain) {
+        detail::set_after(result, quality, options.max_ids);
+    } else {
+        detail::improve(nodes, hexes, model, fixed, untangling, options, result);
+    }
+    return result;
+}
+
+/// The same for any hex_mesh, which is not changed.
+template <hex_mesh M, node_guide G>
+[[nodiscard]] ImprovedHexes improve_hexes(const M& mesh, const G& guide, const ImproveOptions& options = {},
+                                          std::span<const Vec3> reference = {}) {
+    ImprovedHexes result;
+    result.nodes.reserve(node_count(mesh));
+    for (const Index i : IndexRange(node_count(mesh))) {
+        result.nodes.push_back(node(mesh, i));
+    }
+    std::vector<HexCorners> hexes;
+    hexes.reserve(hex_count(mesh));
+    for (const Index h : IndexRange(hex_count(mesh))) {
+        hexes.push_back(hex(mesh, h));
+    }
+    result.report =
+        improve_hexes(std::span(result.nodes), std::span<const HexCorners>(hexes), guide, options, reference);
+    return result;
+}
+
+}  // namespace pavior
