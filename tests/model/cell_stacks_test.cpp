@@ -53,7 +53,8 @@ TEST_CASE("a cap that the merging of curves destroyed is a fault that names it a
 }
 
 TEST_CASE("a wall that the merging of curves closed is a fault") {
-    // Two through holes, 0.1 apart, with sides x = 1.95 (curves 5 and 17) and x = 2.05 (11 and 23) that face each other.
+    // Two through holes, 0.1 apart, with sides x = 1.95 (curves 5 and 17) and x = 2.05 (11 and 23) that face each
+    // other.
     const std::vector<std::vector<Vec2>> loops{box(0, 0, 4, 2), box(1, 0.5, 1.95, 1.5), box(2.05, 0.5, 3, 1.5)};
     const PolygonBody body({bottom(0, loops), top(2, loops)});
     ExtrudedBody sided = body.body();

@@ -221,8 +221,8 @@ template <extruded_geometry G>
 }  // namespace detail
 
 /// Finds the caps over each cell by counting the crossings of their boundaries (no geometry), orders them by their
-/// heights over one point of the cell, and checks that solids lie between them. A fault means that the merging of curves
-/// in \p plane destroyed something, or that the body is not closed. O(caps x cells + n log n).
+/// heights over one point of the cell, and checks that solids lie between them. A fault means that the merging of
+/// curves in \p plane destroyed something, or that the body is not closed. O(caps x cells + n log n).
 template <extruded_geometry G>
 [[nodiscard]] StackResult cell_stacks(const ExtrudedBody& body, const G& geometry, const PlaneArrangement& plane) {
     StackResult result;

@@ -171,9 +171,10 @@ template <brep B>
     return result;
 }
 
-/// All directions worth a try, best first: possible ones before others, then by the number of caps, slanted ones counted
-/// three times; of the impossible ones those with the fewest refusals. Candidates are the normals of plane faces, the
-/// directions of straight edges, and the directions perpendicular to two faces (axes of cylinders, common tangents).
+/// All directions worth a try, best first: possible ones before others, then by the number of caps, slanted ones
+/// counted three times; of the impossible ones those with the fewest refusals. Candidates are the normals of plane
+/// faces, the directions of straight edges, and the directions perpendicular to two faces (axes of cylinders, common
+/// tangents).
 template <brep B>
 [[nodiscard]] std::vector<Extrusion> recognise_extrusions(const B& b, std::span<const SolidId> solids,
                                                           const ExtrusionOptions& options = {}) {

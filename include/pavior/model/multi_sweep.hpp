@@ -211,16 +211,16 @@ inline void check_multi_sweep(const ExtrudedBody& body, const MultiSweepOptions&
 }  // namespace detail
 
 /// Fills \p body with hexahedra. The curves of all its caps are projected into the plane normal to the direction and
-/// imprinted into one arrangement, whose cells are divided into quads; over each cell the solid reaches from cap to cap.
-/// Every cap is a level of nodes: the levels run through the whole solid, and an integer program spreads the layers
-/// between them. Nodes of caps, curves and vertices lie on them, those of sides straight between; inner levels keep the
-/// height of their caps where these are flat and follow them smoothly where they are not.
+/// imprinted into one arrangement, whose cells are divided into quads; over each cell the solid reaches from cap to
+/// cap. Every cap is a level of nodes: the levels run through the whole solid, and an integer program spreads the
+/// layers between them. Nodes of caps, curves and vertices lie on them, those of sides straight between; inner levels
+/// keep the height of their caps where these are flat and follow them smoothly where they are not.
 ///
 /// \p imprint makes arrangements (plane_imprinter), \p solver solves integer programs (e.g. `solve`), \p mesher fills
 /// plane regions with quads (region_mesher). The result is not verified; use verify_hexes(). Deterministic if these
 /// are. O(hexahedra) memory and time, but for the solver, and for levels whose caps are not of one height.
-/// \throws UnmeshableError not_sweepable naming faces (tags) that are too narrow or have no level, or an edge a vertex of
-/// which would share its node with another vertex; infeasible_intervals; InputError bad_option, empty_input,
+/// \throws UnmeshableError not_sweepable naming faces (tags) that are too narrow or have no level, or an edge a vertex
+/// of which would share its node with another vertex; infeasible_intervals; InputError bad_option, empty_input,
 /// size_mismatch; what the callables throw
 template <extruded_geometry G, plane_imprinter I, class Solver, region_mesher M>
 [[nodiscard]] MultiSweepMesh multi_sweep(const ExtrudedBody& body, const G& geometry, const MultiSweepOptions& options,

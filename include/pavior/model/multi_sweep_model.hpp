@@ -83,9 +83,9 @@ struct BestMultiSweep {
 };
 
 /// Sweeps \p solids along each direction that recognise_extrusions() finds possible, best first, with the merging
-/// tolerance of \p options, without merging, and, where that makes no mesh, with a twentieth of the chord error for very
-/// short edges, until a mesh has a least scaled Jacobian of \p sufficient; otherwise the best counts. Nothing is tried
-/// once out_of_time() is true. Callables as for multi_sweep().
+/// tolerance of \p options, without merging, and, where that makes no mesh, with a twentieth of the chord error for
+/// very short edges, until a mesh has a least scaled Jacobian of \p sufficient; otherwise the best counts. Nothing is
+/// tried once out_of_time() is true. Callables as for multi_sweep().
 /// \throws UnmeshableError not_sweepable naming faces where no direction is possible; InputError as multi_sweep()
 template <brep B, plane_imprinter I, class Solver, region_mesher M, class OutOfTime>
 [[nodiscard]] BestMultiSweep best_multi_sweep(const B& b, std::span<const SolidId> solids,

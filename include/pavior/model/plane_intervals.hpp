@@ -169,10 +169,11 @@ struct PolylineSize {
 
 }  // namespace detail
 
-/// Divides the edges of \p plane into intervals of about edge_sizes[e] that turn by at most \p max_angle (radians) each:
-/// every loop of a cell that is \p wanted (one flag each) gets an even number, at least four. Cells with four corners get equal opposite sides, so that
-/// they can be filled with a grid, unless all together that is impossible or makes some edge's number deviate from its
-/// wish by more than a factor of three more than without. \p solver turns an IntegerProgram into an IntegerSolution.
+/// Divides the edges of \p plane into intervals of about edge_sizes[e] that turn by at most \p max_angle (radians)
+/// each: every loop of a cell that is \p wanted (one flag each) gets an even number, at least four. Cells with four
+/// corners get equal opposite sides, so that they can be filled with a grid, unless all together that is impossible or
+/// makes some edge's number deviate from its wish by more than a factor of three more than without. \p solver turns an
+/// IntegerProgram into an IntegerSolution.
 /// \throws UnmeshableError infeasible_intervals where the solver fails (numbers exist always: all edges even)
 template <class Solver>
 [[nodiscard]] PlaneIntervals plane_intervals(const PlaneArrangement& plane, std::span<const char> wanted,

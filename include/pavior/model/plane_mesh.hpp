@@ -143,9 +143,9 @@ void mesh_cell(const PlaneCell& cell, M&& mesher, PlaneMesh& mesh) {
 }  // namespace detail
 
 /// Divides the edges of \p plane into \p intervals each, at equal arc length, moves the nodes by
-/// place(edge, point) (onto the true curve, say), and fills the cells that are \p wanted (one flag each) with \p mesher.
-/// An Error cad_failure of \p mesher, or one because a quad is folded or flat at a corner, is passed to failed(cell,
-/// error), and that cell has no quads then; anything else that it throws passes through.
+/// place(edge, point) (onto the true curve, say), and fills the cells that are \p wanted (one flag each) with \p
+/// mesher. An Error cad_failure of \p mesher, or one because a quad is folded or flat at a corner, is passed to
+/// failed(cell, error), and that cell has no quads then; anything else that it throws passes through.
 template <class Place, region_mesher M, class Failed>
 [[nodiscard]] PlaneMesh mesh_plane(const PlaneArrangement& plane, std::span<const int> intervals,
                                    std::span<const char> wanted, Place&& place, M&& mesher, Failed&& failed) {

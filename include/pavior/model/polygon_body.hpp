@@ -33,9 +33,10 @@ struct PolygonBodyOptions {
     double corner_angle = 20;
 };
 
-/// The caps of solids as an extruded body with its geometry. Models extruded_geometry. Tags are positions in the list of
-/// caps and numbers of curves. The body names no sides, so multi_sweep() leaves them unnamed, and a merging tolerance is
-/// not checked against walls and slots that it would close: set MultiSweepOptions::merge below their width.
+/// The caps of solids as an extruded body with its geometry. Models extruded_geometry. Tags are positions in the list
+/// of caps and numbers of curves. The body names no sides, so multi_sweep() leaves them unnamed, and a merging
+/// tolerance is not checked against walls and slots that it would close: set MultiSweepOptions::merge below their
+/// width.
 class PolygonBody {
 public:
     /// \throws InputError empty_input (a cap without loops, a loop of fewer than three points), not_finite
