@@ -170,6 +170,21 @@ TEST_CASE("mesh: solids that share faces are meshed together, conforming") {
     CHECK(group_name(data, 3, 1) == "plate");
 }
 
+TEST_CASE("mesh: 27 cubes with holes, pockets and slots conform across their shared faces") {
+    const std::string mesh = scratch_file("cubes.vtu");
+    const std::string report = scratch_file("cubes.json");
+    const ProgramRun run = run_program("mesh " + example("assembly/cubes_27.brep") + " --size 1 -o " + mesh +
+                                       " --report " + report + " --quiet");
+    CAPTURE(run.err);
+    REQUIRE(run.code == 0);
+    CHECK(json_of(report)["decisions"].size() == 1);
+    CHECK(json_of(report)["decisions"][0]["method"] == "multi-sweep");
+    const HexMeshData data = read_mesh(mesh);
+    CHECK(verify_hexes(data.mesh).ok());
+    CHECK(hex_quality(data.mesh).scaled_jacobian.min >= 0.2);
+    CHECK(std::set<int>(data.hex_groups.begin(), data.hex_groups.end()).size() == 27);
+}
+
 TEST_CASE("mesh: solids apart from each other get each its own method") {
     const std::string mesh = scratch_file("apart.msh");
     const std::string report = scratch_file("apart.json");
