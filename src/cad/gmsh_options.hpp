@@ -34,4 +34,22 @@ private:
     std::vector<std::pair<std::string, double>> old_;
 };
 
+/// What every surface mesh of ours wants: linear, reproducible, sized by nothing but \p size (0: without limit) and the
+/// number of elements \p per_turn of 2 pi (0: whatever the curvature).
+inline void set_mesh_options(GmshOptions& options, double size, int per_turn = 0) {
+    options.set("General.AbortOnError", 0);  // it throws inside a parallel region, which ends the process
+    options.set("General.NumThreads", 1);
+    options.set("Mesh.RandomSeed", 1);
+    options.set("Mesh.ElementOrder", 1);
+    options.set("Mesh.SubdivisionAlgorithm", 0);
+    options.set("Mesh.RecombineAll", 0);
+    options.set("Mesh.MeshOnlyVisible", 0);
+    options.set("Mesh.MeshOnlyEmpty", 0);
+    options.set("Mesh.MeshSizeFromPoints", 0);
+    options.set("Mesh.MeshSizeFromCurvature", per_turn);
+    options.set("Mesh.MeshSizeExtendFromBoundary", 1);
+    options.set("Mesh.MeshSizeMin", 0);
+    options.set("Mesh.MeshSizeMax", size > 0.0 ? size : 1e22);
+}
+
 }  // namespace pavior::detail

@@ -20,23 +20,6 @@ namespace {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-void set_common_options(GmshOptions& options, double size) {
-    options.set("General.AbortOnError", 0);  // it throws inside a parallel region, which ends the process
-    options.set("General.NumThreads", 1);
-    options.set("Mesh.RandomFactor", 1e-9);
-    options.set("Mesh.RandomSeed", 1);
-    options.set("Mesh.ElementOrder", 1);
-    options.set("Mesh.SubdivisionAlgorithm", 0);
-    options.set("Mesh.RecombineAll", 0);
-    options.set("Mesh.MeshOnlyVisible", 0);
-    options.set("Mesh.MeshOnlyEmpty", 0);
-    options.set("Mesh.MeshSizeFromPoints", 0);
-    options.set("Mesh.MeshSizeFromCurvature", 0);
-    options.set("Mesh.MeshSizeExtendFromBoundary", 1);
-    options.set("Mesh.MeshSizeMin", 0);
-    options.set("Mesh.MeshSizeMax", size > 0 ? size : 1e22);
-}
-
 /// The loops as points, straight lines of one interval, and a plane surface; point i has tag i + 1.
 void make_region(const PlaneLoops& loops) {
     for (std::size_t i = 0; i < loops.points.size(); ++i) {
@@ -129,7 +112,8 @@ std::optional<RawMesh> meshed(const PlaneLoops& loops, double size, const QuadRe
     const Hush hush;
     try {
         GmshOptions options;
-        set_common_options(options, size);
+        set_mesh_options(options, size);
+        options.set("Mesh.RandomFactor", 1e-9);
         options.set("Mesh.Algorithm", recipe != nullptr ? recipe->algorithm : 6);
         options.set("Mesh.MeshSizeFactor", recipe != nullptr ? recipe->scale : 1);
         options.set("Mesh.Smoothing", recipe != nullptr ? recipe->smoothing : 1);

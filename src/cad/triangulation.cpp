@@ -71,19 +71,7 @@ bool is_plane(int face) {
 
 void generate(double size, int per_turn) {
     detail::GmshOptions options;
-    options.set("General.AbortOnError", 0);  // it throws inside a parallel region, which ends the process
-    options.set("General.NumThreads", 1);
-    options.set("Mesh.RandomSeed", 1);
-    options.set("Mesh.ElementOrder", 1);
-    options.set("Mesh.SubdivisionAlgorithm", 0);
-    options.set("Mesh.RecombineAll", 0);
-    options.set("Mesh.MeshOnlyVisible", 0);
-    options.set("Mesh.MeshOnlyEmpty", 0);
-    options.set("Mesh.MeshSizeFromPoints", 0);
-    options.set("Mesh.MeshSizeFromCurvature", per_turn);
-    options.set("Mesh.MeshSizeExtendFromBoundary", 1);
-    options.set("Mesh.MeshSizeMin", 0);
-    options.set("Mesh.MeshSizeMax", size > 0.0 ? size : 1e22);
+    detail::set_mesh_options(options, size, per_turn);
     gmsh::model::mesh::clear();
     for (const auto& face : entities(2)) {
         constexpr int initial_only = 3;
