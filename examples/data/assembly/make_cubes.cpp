@@ -1,5 +1,5 @@
-// Writes cubes_27.brep: three by three by three cubes that share faces. Some columns have a round hole through all three
-// levels, some a square pocket from above, some a slot in the middle level.
+// Writes cubes_27.brep: three by three by three cubes that share faces. Some columns have a round hole
+// through all three levels, some a square pocket from above, some a slot in the middle level.
 #include <gmsh.h>
 
 #include <optional>
