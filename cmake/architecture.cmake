@@ -16,9 +16,9 @@ set(may_include_io core math mesh affine smooth dual sweep model)
 
 # Sources: src/<room> includes what the public room includes, that room, and these folders of src.
 set(source_rooms common math tetra imprint cad io cli)
-set(may_include_src_common core)
+set(may_include_src_common core math)
 set(may_include_src_math core math mesh affine) # the affine fits that are compiled once
-set(may_include_src_tetra ${may_include_tetra} tetra)
+set(may_include_src_tetra ${may_include_tetra} tetra src_common)
 set(may_include_src_imprint ${may_include_imprint} imprint)
 set(may_include_src_cad ${may_include_cad} cad src_common)
 set(may_include_src_io ${may_include_io} io src_common)

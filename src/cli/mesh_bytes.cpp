@@ -1,57 +1,12 @@
 #include "mesh_bytes.hpp"
 
-#include <pavior/core/assert.hpp>
+#include "../common/byte_arrays.hpp"
 
 #include <cstdint>
-#include <cstring>
-#include <type_traits>
 
 namespace pavior::cli {
 
-namespace {
-
-class Writer {
-public:
-    template <class Array>
-    void add(const Array& array) {
-        using Value = typename Array::value_type;
-        static_assert(std::is_trivially_copyable_v<Value> || std::is_same_v<Value, Vec3>);
-        const std::uint64_t count = array.size();
-        bytes_.append(reinterpret_cast<const char*>(&count), sizeof count);
-        bytes_.append(reinterpret_cast<const char*>(array.data()), array.size() * sizeof(Value));
-    }
-    [[nodiscard]] std::string take() { return std::move(bytes_); }
-
-private:
-    std::string bytes_;
-};
-
-class Reader {
-public:
-    explicit Reader(const std::string& bytes) : bytes_(bytes) {}
-
-    template <class Array>
-    void get(Array& array) {
-        std::uint64_t count = 0;
-        copy(&count, sizeof count);
-        array.resize(count);
-        copy(array.data(), array.size() * sizeof(typename Array::value_type));
-    }
-
-private:
-    void copy(void* to, std::size_t size) {
-        PAVIOR_ASSERT(at_ + size <= bytes_.size());
-        std::memcpy(to, bytes_.data() + at_, size);
-        at_ += size;
-    }
-
-    const std::string& bytes_;
-    std::size_t at_ = 0;
-};
-
 using Json = nlohmann::json;
-
-}  // namespace
 
 std::string to_bytes(const MethodTry& result) {
     const HexMeshData& data = result.data;
@@ -69,7 +24,7 @@ std::string to_bytes(const MethodTry& result) {
     for (const MeshGroup& group : data.groups) {
         json["groups"].push_back({group.dimension, group.number, group.name});
     }
-    Writer writer;
+    detail::ByteWriter writer;
     writer.add(Json::to_cbor(json));
     writer.add(data.mesh.nodes);
     writer.add(data.mesh.hexes);
@@ -80,7 +35,7 @@ std::string to_bytes(const MethodTry& result) {
 }
 
 MethodTry try_from_bytes(const std::string& bytes) {
-    Reader reader(bytes);
+    detail::ByteReader reader(bytes);
     std::vector<std::uint8_t> head;
     reader.get(head);
     const Json json = Json::from_cbor(head);

@@ -1,6 +1,6 @@
 #include "mesh_methods.hpp"
+#include "../common/child_process.hpp"
 #include "check.hpp"
-#include "child_task.hpp"
 #include "grouped.hpp"
 #include "mesh_bytes.hpp"
 #include "swept.hpp"
@@ -139,19 +139,20 @@ MethodTry try_method_in_child(MeshMethod method, const GmshBrep& model, std::spa
                               const MeshCommand& command, double seconds) {
     const Stopwatch watch;
     const auto late = [&] { return seconds > 0 && watch.total() > 0.7 * seconds; };
-    const ChildAnswer answer =
-        run_in_child([&] { return to_bytes(try_method(method, model, solids, command, late)); }, seconds);
+    using End = detail::ChildAnswer::End;
+    const detail::ChildAnswer answer =
+        detail::run_in_child([&] { return to_bytes(try_method(method, model, solids, command, late)); }, seconds);
     MethodTry result;
-    if (answer.end == ChildAnswer::End::answered) {
+    if (answer.end == End::answered) {
         result = try_from_bytes(answer.bytes);
     } else {
         std::ostringstream reason;
-        const bool late_answer = answer.end == ChildAnswer::End::timed_out;
+        const bool late_answer = answer.end == End::timed_out;
         result.outcome = late_answer ? Outcome::timed_out : Outcome::died;
         if (late_answer) {
             reason << std::setprecision(3) << "not done after " << seconds << " s";
         } else {
-            reason << answer.reason;
+            reason << "it " << answer.reason;
         }
         result.reason = reason.str();
         result.method = method;

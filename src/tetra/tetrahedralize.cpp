@@ -3,10 +3,11 @@
 #include <pavior/core/error.hpp>
 #include <pavior/mesh/near_nodes.hpp>
 
+#include "../common/byte_arrays.hpp"
+#include "../common/child_process.hpp"
 #include "assemble.hpp"
 #include "cgal_engine.hpp"
 #include "check_facets.hpp"
-#include "child.hpp"
 #include "facet_edges.hpp"
 #include "shells.hpp"
 #include "tetgen_engine.hpp"
@@ -20,6 +21,7 @@
 #include <cstdio>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -127,10 +129,37 @@ std::string refinement(const TetOptions& options, const detail::Frame& frame) {
     return text;
 }
 
-double seconds(const TetOptions& options) { return options.time_limit > 0.0 ? options.time_limit : 1e8; }
-
 /// What an error says, without the name of its code.
 std::string reason(const Error& error) { return std::string(error.what()).substr(to_string(error.code()).size() + 2); }
+
+/// What an engine makes of a complex, as bytes; errors without the name of their code.
+std::string raw_bytes(const std::function<detail::RawTets()>& task) {
+    try {
+        const detail::RawTets raw = task();
+        detail::ByteWriter writer;
+        writer.add(raw.nodes);
+        writer.add(raw.tets);
+        writer.add(raw.facets);
+        writer.add(raw.facet_numbers);
+        writer.add(raw.edges);
+        writer.add(raw.edge_numbers);
+        return writer.take();
+    } catch (const Error& error) {
+        throw std::runtime_error(reason(error));
+    }
+}
+
+detail::RawTets raw_tets(const std::string& bytes) {
+    detail::RawTets raw;
+    detail::ByteReader reader(bytes);
+    reader.get(raw.nodes);
+    reader.get(raw.tets);
+    reader.get(raw.facets);
+    reader.get(raw.facet_numbers);
+    reader.get(raw.edges);
+    reader.get(raw.edge_numbers);
+    return raw;
+}
 
 /// Runs an engine one way after the other until a mesh has no flat tetrahedron; keeps the best.
 class Attempts {
@@ -144,22 +173,29 @@ public:
         if (good()) {
             return;
         }
+        using End = detail::ChildAnswer::End;
+        const detail::ChildAnswer answer = detail::run_in_child([&] { return raw_bytes(task); }, seconds_);
+        if (answer.end == End::timed_out) {
+            throw InputError(ErrorCode::tetrahedra_failed,
+                             engine_ + " (" + way + ") was stopped: no result within the time limit");
+        }
+        if (answer.end != End::answered) {
+            add_reason(way + ": " + answer.reason);
+            return;
+        }
         try {
-            Assembled made = detail::assemble(problem, detail::run_in_child(task, seconds_));
+            Assembled made = detail::assemble(problem, raw_tets(answer.bytes));
             if (!best_ || made.flattest > best_->flattest) {
                 best_ = std::move(made);
             }
-        } catch (const detail::TimeOut&) {
-            throw InputError(ErrorCode::tetrahedra_failed,
-                             engine_ + " (" + way + ") was stopped: no result within the time limit");
         } catch (const Error& error) {
-            reasons_ += (reasons_.empty() ? "" : "; ") + way + ": " + reason(error);
+            add_reason(way + ": " + reason(error));
         }
     }
 
     Assembled result() {
         if (best_ && best_->flattest < too_flat) {
-            reasons_ += (reasons_.empty() ? "" : "; ") + std::string("otherwise tetrahedra without height");
+            add_reason("otherwise tetrahedra without height");
         }
         if (!best_ || best_->flattest < too_flat) {
             throw InputError(ErrorCode::tetrahedra_failed, engine_ + " gave up (" + reasons_ + ")");
@@ -168,6 +204,8 @@ public:
     }
 
 private:
+    void add_reason(const std::string& text) { reasons_ += (reasons_.empty() ? "" : "; ") + text; }
+
     /// Altitude by longest edge. Flatter ones come from planar faces whose nodes do not quite lie in one plane.
     static constexpr double good_enough = 1e-6;
     static constexpr double too_flat = 1e-12;
@@ -195,7 +233,7 @@ Assembled with_tetgen(const Problem& problem, const TetOptions& options) {
     } catch (const Error& error) {
         throw InputError(ErrorCode::tetrahedra_failed, reason(error));
     }
-    Attempts attempts("TetGen", seconds(options));
+    Attempts attempts("TetGen", options.time_limit);
     const std::string refine = refinement(options, problem.plc.frame);
     if (options.keep_surface) {
         run_tetgen(attempts, problem, "Y", refine);
@@ -221,7 +259,7 @@ Assembled with_cgal(Problem problem, const TetOptions& options) {
     const double edge =
         volume > 0.0 ? edge_of_volume(volume) : 0.1 * bounds(std::span<const Vec3>(problem.plc.nodes)).diagonal();
     const double quality = options.quality > 0.0 ? options.quality : 2.0;
-    Attempts attempts("CGAL", seconds(options));
+    Attempts attempts("CGAL", options.time_limit);
     // Protected edges close to each other can get in the way of the refinement: fewer of them, or shorter edges.
     for (const double degrees : {10.0, 45.0}) {
         for (const double part : {1.0, 0.86, 0.5, 0.25}) {

@@ -1,6 +1,5 @@
 #include "support/catch.hpp"
 #include "tet_checks.hpp"
-#include "tetra/child.hpp"
 
 #include <pavior/core/error.hpp>
 #include <pavior/tetra/tetrahedralize.hpp>
@@ -327,45 +326,6 @@ TEST_CASE("A run that takes too long ends in an error") {
     CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
     options.max_volume = 1e-12;
     CHECK(refusal([&] { return tetrahedralize(surface, options); }).first == ErrorCode::bad_option);
-}
-
-TEST_CASE("Whatever foreign code does in its process reaches the caller as an error") {
-    using detail::RawTets;
-    const auto outcome = [](const std::function<RawTets()>& task) -> std::string {
-        try {
-            static_cast<void>(detail::run_in_child(task, 0.5));
-        } catch (const Error& error) {
-            CHECK(error.code() == ErrorCode::tetrahedra_failed);
-            return error.what();
-        }
-        return "";
-    };
-    CHECK(outcome([]() -> RawTets { std::abort(); }) == "tetrahedra_failed: crashed (signal 6)");
-    CHECK(outcome([]() -> RawTets {
-              std::raise(SIGSEGV);
-              return {};
-          }) == "tetrahedra_failed: crashed (signal 11)");
-    CHECK(outcome([]() -> RawTets { std::exit(0); }) == "tetrahedra_failed: ended itself (status 3)");
-    CHECK(outcome([]() -> RawTets { throw 3; }) == "tetrahedra_failed: something unknown was thrown");
-    CHECK(outcome([]() -> RawTets { throw std::runtime_error("no"); }) == "tetrahedra_failed: no");
-    CHECK(outcome([]() -> RawTets {
-              for (;;) {
-                  std::this_thread::yield();
-              }
-          }) == "tetrahedra_failed: no result within the time limit");
-    CHECK(outcome([]() -> RawTets {
-              std::printf("chatter\n");
-              return {};
-          }).empty());
-    const RawTets large = detail::run_in_child(
-        [] {
-            RawTets raw;
-            raw.nodes.assign(300000, 0.5);
-            raw.tets.assign(400000, 7);
-            return raw;
-        },
-        60);
-    CHECK((large.nodes == std::vector<double>(300000, 0.5) && large.tets == std::vector<int>(400000, 7)));
 }
 
 TEST_CASE("CGAL samples the surface anew, and keeps tags") {
