@@ -1,6 +1,8 @@
 // Cost of the local dual contributions against TetGen's own time on the same mesh, from 10^4 to 5 x 10^6 tetrahedra:
 // time per tetrahedron of each step, bytes per tetrahedron, one thread against two. A unit cube in eight boxes, the
 // cuts given to TetGen as facets.
+#include "timing.hpp"
+
 #include <pavior/dual/cell_complex.hpp>
 #include <pavior/dual/dual_blocks.hpp>
 #include <pavior/dual/features.hpp>
@@ -14,10 +16,8 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <cstdio>
-#include <ctime>
 #include <limits>
 #include <string>
 #include <vector>
@@ -25,29 +25,6 @@
 using namespace pavior;
 
 namespace {
-
-// Wall clock for several threads, processor time for one, so that other programs disturb less.
-template <class Work>
-double seconds(const Work& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-template <class Work>
-double thread_seconds(const Work& work) {
-#if defined(CLOCK_THREAD_CPUTIME_ID)
-    const auto now = [] {
-        timespec time{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-    };
-    const double start = now();
-    work();
-    return now() - start;
-#else
-    return seconds(work);
-#endif
-}
 
 struct Sample {
     TaggedTetMesh mesh;

@@ -1,5 +1,7 @@
 // Hexahedra a second: a sweep with its connectivity in memory against Gmsh's extrusion of the same quad mesh.
 // Only Gmsh's last stage, the volume, is timed; a sweep is timed from arrays to arrays, verification included.
+#include "timing.hpp"
+
 #include <benchmark/benchmark.h>
 
 #if __has_include(<gmsh.h>)
@@ -7,7 +9,6 @@
 
 #include <gmsh.h>
 
-#include <chrono>
 #include <cstddef>
 #include <unordered_map>
 #include <vector>
@@ -17,13 +18,6 @@ using namespace pavior;
 namespace {
 
 constexpr double length = 2.0;
-
-template <class Work>
-double seconds(const Work& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 // A square of cells x cells quads, extruded through `layers` layers, meshed up to its surfaces.
 void make_surfaces(int cells, int layers) {

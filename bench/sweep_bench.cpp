@@ -1,17 +1,17 @@
 // Costs of a sweep: (a) the node kernel against a non-temporal write of the same bytes, (b) a foreign mesh against raw
 // arrays, (d) one thread against two, and the boundary corrections. Each ratio is measured in one run, the two sides in
 // turn, and printed as a counter.
+#include "timing.hpp"
+
 #include <pavior/mesh/eigen_access.hpp>
 #include <pavior/sweep/sweep.hpp>
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <ctime>
 #include <limits>
 #include <string>
 #include <vector>
@@ -23,30 +23,6 @@
 using namespace pavior;
 
 namespace {
-
-template <class Work>
-double seconds(const Work& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-// Processor time of this thread: what one-thread ratios compare, so that other programs disturb them less.
-template <class Work>
-double thread_seconds(const Work& work) {
-#if defined(CLOCK_THREAD_CPUTIME_ID)
-    const auto now = [] {
-        timespec time{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-    };
-    const double start = now();
-    work();
-    return now() - start;
-#else
-    return seconds(work);
-#endif
-}
 
 // Writes count doubles past the caches, as wide as the machine can.
 #if defined(__x86_64__)

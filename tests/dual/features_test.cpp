@@ -277,3 +277,18 @@ TEST_CASE("bad options") {
     options.overrides.push_back({{0, 99}, 0, CurveKind::end});
     CHECK_THROWS_AS(make_reference_mesh(mesh, options), InputError);
 }
+
+TEST_CASE("solids so large or small that products of lengths leave the range of doubles are refused") {
+    const TetMesh mesh = tetrahedra(box(1, 1, 1)).mesh;
+    for (const double scale : {1e-160, 1e-74, 1e-9, 1e9, 1e74, 1e160}) {
+        TetMesh scaled = mesh;
+        for (Vec3& x : scaled.nodes) {
+            x *= scale;
+        }
+        if (scale < 1e-100 || scale > 1e100) {
+            CHECK_THROWS_AS(make_reference_mesh(scaled), InputError);
+        } else {
+            CHECK(make_reference_mesh(scaled).curves == make_reference_mesh(mesh).curves);
+        }
+    }
+}

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -70,6 +71,16 @@ inline void check_options(const FeatureOptions& options) {
                          "feature angles need 0 < end_below <= 180 <= corner_above <= reversal_above, not " +
                              std::to_string(options.end_below) + ", " + std::to_string(options.corner_above) + ", " +
                              std::to_string(options.reversal_above));
+    }
+}
+
+/// Refuses solids for which products of four lengths leave the range of doubles.
+inline void check_magnitude(const std::vector<double>& lengths) {
+    const double longest = lengths.empty() ? 1.0 : *std::max_element(lengths.begin(), lengths.end());
+    if (!(longest <= 1e75 && longest >= 1e-75)) {
+        std::ostringstream text;
+        text << "the longest edge of the boundary is " << longest << ": scale the solid into 1e-75 to 1e75";
+        throw InputError(ErrorCode::overflow, text.str());
     }
 }
 
@@ -188,6 +199,7 @@ template <tet_mesh M>
     std::transform(surface.edges.begin(), surface.edges.end(), std::back_inserter(lengths), [&](Index e) {
         return (node(mesh, topology.edges[e][1]) - node(mesh, topology.edges[e][0])).stableNorm();
     });
+    check_magnitude(lengths);
     FeatureFinder<FeatureOptions> finder(topology, surface, interior_angles(mesh, topology, surface),
                                          std::move(lengths), options);
     finder.find(edges, vertices);
@@ -213,7 +225,7 @@ template <tet_mesh M>
 ///   from convex to re-entrant. A node of two feature edges is no vertex, however sharp the kink;
 /// - vertices: nodes of one feature edge (where a curve ends inside a patch) or of three and more, ascending.
 /// O(n). \throws InputError bad_option (limits; an override that names no boundary edge), non_manifold (boundary that
-/// touches itself), what tet_topology() throws
+/// touches itself), overflow (a longest boundary edge below 1e-75 or above 1e75), what tet_topology() throws
 template <tet_mesh M>
 [[nodiscard]] ReferenceMesh make_reference_mesh(const M& mesh, const FeatureOptions& options = {}) {
     TetMesh tets = detail::copy_tets(mesh, options.sort_tets);
