@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <iomanip>
 #include <map>
@@ -40,23 +42,27 @@ void try_sweep(const GmshBrep& model, std::span<const SolidId> solids, const Mes
 
 namespace {
 
-/// The faces by the tags that the groups of quads name.
-std::vector<FaceId> faces_of_quads(const GmshBrep& model, const HexMeshData& data) {
-    std::map<int, FaceId> faces;
-    for (std::size_t f = 0; f < model.face_count(); ++f) {
-        faces.emplace(model.tag(2, f), FaceId{static_cast<std::int32_t>(f)});
-    }
-    std::vector<FaceId> of_quads;
-    for (const std::int32_t tag : data.quad_groups) {
-        of_quads.push_back(faces.at(tag));
-    }
-    return of_quads;
-}
-
 /// True if the volumes agree to 1e-6, or differ by no more than lies between the quads and the curved faces.
 bool same_volume(const GmshBrep& model, const HexMeshData& data, double volume, double cad_volume) {
     const double error = std::abs(volume - cad_volume) - 1e-6 * cad_volume;
-    return error <= 0 || chord_volume(model, data.mesh.nodes, data.quads, faces_of_quads(model, data), error) >= error;
+    if (error <= 0) {
+        return true;
+    }
+    std::map<int, FaceId> curved;
+    for (std::int32_t f = 0; f < static_cast<std::int32_t>(model.face_count()); ++f) {
+        if (model.face_kind(FaceId{f}) != "Plane") {
+            curved.emplace(model.tag(2, FaceId{f}.index()), FaceId{f});
+        }
+    }
+    std::vector<QuadCorners> quads;
+    std::vector<FaceId> faces;
+    for (std::size_t q = 0; q < data.quads.size(); ++q) {
+        if (const auto found = curved.find(data.quad_groups[q]); found != curved.end()) {
+            quads.push_back(data.quads[q]);
+            faces.push_back(found->second);
+        }
+    }
+    return chord_volume(model, data.mesh.nodes, quads, faces, error) >= error;
 }
 
 /// Whether the mesh is one: conforming, not inverted, and as large as the solids.

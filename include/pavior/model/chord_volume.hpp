@@ -39,8 +39,8 @@ template <brep B>
 }  // namespace detail
 
 /// An upper estimate of the volume between \p quads and the faces they lie on: the sum of area times distance, half as
-/// much again. A mesh whose boundary nodes are on the faces differs in volume from the solid by no more; 0 (but for
-/// rounding) where all faces are flat.
+/// much again. A mesh whose boundary nodes are on the faces differs in volume from the solid by no more. Quads on flat
+/// faces need not be given.
 /// \param faces   the face of each quad
 /// \param enough  counting stops once the estimate reaches it
 /// O(quads), nine closest points each. \throws InputError size_mismatch
