@@ -448,7 +448,8 @@ struct NormalSpread {
 }  // namespace detail
 
 /// The simplest surface that passes within \p tolerance (a length) of \p points, the nodes that are on the true
-/// surface, and along the triangles \p facets; kind facets if none does. Not empty; facets have area.
+/// surface, and along the triangles \p facets; kind facets if none does. Two circles are on a cone and on a sphere: the
+/// one closer to the triangles counts. Not empty; facets have area.
 /// O(n); the triangles are copied for kind facets.
 [[nodiscard]] inline PatchSurface fit_surface(std::span<const Facet> facets, std::span<const Vec3> points,
                                               double tolerance) {
@@ -460,10 +461,24 @@ struct NormalSpread {
         detail::orient(*s, facets);
         return detail::fit_holds(*s, facets, points, tolerance);
     };
+    const auto cone_or_sphere = [&] {
+        std::optional<PatchSurface> sphere = detail::sphere_through(points);
+        s = sphere;
+        const bool is_sphere = holds();
+        sphere = s;
+        s = detail::cone_through(facets, points);
+        if (!holds()) {
+            s = sphere;
+            return is_sphere;
+        }
+        if (is_sphere &&
+            detail::largest_distance(*sphere, facets, points) < detail::largest_distance(*s, facets, points)) {
+            s = sphere;
+        }
+        return true;
+    };
     const bool plane = detail::fit_holds(*s, facets, points, tolerance);
-    if (!plane && !((s = detail::cylinder_through(facets, points)) && holds()) &&
-        !((s = detail::sphere_through(points)) && holds()) &&
-        !((s = detail::cone_through(facets, points)) && holds()) &&
+    if (!plane && !((s = detail::cylinder_through(facets, points)) && holds()) && !cone_or_sphere() &&
         !((s = detail::torus_through(facets, points)) && holds())) {
         s = PatchSurface{};
         s->kind = SurfaceKind::facets;

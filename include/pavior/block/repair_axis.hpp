@@ -113,6 +113,26 @@ inline void add_tube_sheets(const RoundThing& thing, std::vector<RepairSheet>& s
     sheets.push_back(std::move(sheet));
 }
 
+/// Planes that coincide within \p tolerance, a length, where they start become one sheet, the first.
+inline void merge_planes(std::vector<RepairSheet>& sheets, double tolerance) {
+    const auto same = [&](const RepairSheet& a, const RepairSheet& b) {
+        return a.surface.kind == SurfaceKind::plane && b.surface.kind == SurfaceKind::plane &&
+               a.surface.axis.cross(b.surface.axis).norm() < 1e-3 &&
+               std::abs(a.surface.distance(b.surface.point)) <= tolerance &&
+               std::abs(b.surface.distance(a.surface.point)) <= tolerance;
+    };
+    std::vector<RepairSheet> merged;
+    for (RepairSheet& sheet : sheets) {
+        const auto first = std::find_if(merged.begin(), merged.end(), [&](const auto& m) { return same(m, sheet); });
+        if (first == merged.end()) {
+            merged.push_back(std::move(sheet));
+        } else {
+            first->edges.insert(first->edges.end(), sheet.edges.begin(), sheet.edges.end());
+        }
+    }
+    sheets.swap(merged);
+}
+
 }  // namespace detail
 
 /// The sheets through everything round that violates the conditions, all of one axis sharing theirs: two
@@ -144,6 +164,7 @@ inline void add_tube_sheets(const RoundThing& thing, std::vector<RepairSheet>& s
             sheets.push_back(detail::plane_sheet(SheetKind::axis, thing, thing.axis.cross(normal).normalized()));
         }
     }
+    detail::merge_planes(sheets, 1e-3 * size);
     return sheets;
 }
 

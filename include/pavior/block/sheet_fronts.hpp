@@ -2,6 +2,7 @@
 /// \file
 /// Where sheets start: a corner or reversal curve, and a patch that the sheet continues past it.
 
+#include <pavior/block/detail/facet_corners.hpp>
 #include <pavior/block/patch_surface.hpp>
 #include <pavior/dual/boundary_surface.hpp>
 #include <pavior/dual/reference_mesh.hpp>
@@ -33,7 +34,7 @@ struct FrontBoundary {
     std::vector<std::int32_t> tags;  ///< per triangle, its patch
     std::vector<Facet> facets;       ///< per triangle
     std::vector<char> feature;       ///< per edge of the surface: 1 on a feature curve
-    std::vector<char> vertex;        ///< per node: 1 for feature vertices
+    std::vector<char> on_surface;    ///< per node: 1 for feature vertices and where three facets or more meet
 };
 
 namespace detail {
@@ -82,9 +83,10 @@ namespace detail {
             out.feature[place[e]] = 1;
         }
     }
-    out.vertex.assign(mesh.nodes.size(), 0);
+    out.on_surface = detail::facet_corners(out.surface.triangles, mesh.nodes.size(),
+                                           [&](Index t) { return out.facets[t].normal; });
     for (const TaggedNode& v : mesh.vertices) {
-        out.vertex[v.node] = 1;
+        out.on_surface[v.node] = 1;
     }
     return out;
 }
@@ -216,30 +218,23 @@ private:
         return found;
     }
 
-    /// Fits a surface to a set of triangles. Nodes inside flat parts say nothing about the surface that the triangles
-    /// approximate: only those where the normal turns, and feature vertices, are on it.
+    /// Fits a surface to a set of triangles, through the nodes that are known to be on it.
     [[nodiscard]] PatchSurface fit_region(const std::vector<Index>& region) const {
         std::vector<Facet> facets;
-        std::vector<std::pair<Index, Index>> corners;  // node, triangle
+        std::vector<Index> nodes;
         for (const Index t : region) {
             facets.push_back(boundary_.facets[t]);
-            for (const Index i : boundary_.surface.triangles[t]) {
-                corners.emplace_back(i, t);
-            }
+            const TriCorners& c = boundary_.surface.triangles[t];
+            nodes.insert(nodes.end(), c.begin(), c.end());
         }
-        std::sort(corners.begin(), corners.end());
+        std::sort(nodes.begin(), nodes.end());
+        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
         std::vector<Vec3> points;
         std::vector<Vec3> all;
-        for (std::size_t i = 0; i < corners.size();) {
-            const Index node = corners[i].first;
-            const Vec3& first = boundary_.facets[corners[i].second].normal;
-            bool turns = boundary_.vertex[node] != 0;
-            for (; i < corners.size() && corners[i].first == node; ++i) {
-                turns = turns || first.dot(boundary_.facets[corners[i].second].normal) < 1 - 1e-7;
-            }
-            all.push_back(mesh_.nodes[node]);
-            if (turns) {
-                points.push_back(mesh_.nodes[node]);
+        for (const Index i : nodes) {
+            all.push_back(mesh_.nodes[i]);
+            if (boundary_.on_surface[i] != 0) {
+                points.push_back(mesh_.nodes[i]);
             }
         }
         const PatchSurface flat = fit_surface(facets, all, tolerance_);

@@ -36,7 +36,8 @@ enum class TaggedEdges : std::uint8_t {
     features,    ///< the tagged ones, whatever the angle: `end` where it says smooth
 };
 
-/// How make_reference_mesh() finds the features. Angles are interior dihedral angles in degrees.
+/// How make_reference_mesh() finds the features. Angles are interior dihedral angles in degrees; what is less than a
+/// millionth below a limit counts as on it, since angles of exactly 135 degrees are common and carry round-off.
 struct FeatureOptions {
     double end_below = 135.0;       ///< below: end
     double corner_above = 225.0;    ///< above, or equal: corner
@@ -56,10 +57,11 @@ struct FeatureOptions {
 
 /// The kind of a curve at this interior dihedral angle in degrees.
 [[nodiscard]] inline CurveKind curve_kind(double degrees, const FeatureOptions& options = {}) {
-    return degrees < options.end_below        ? CurveKind::end
-           : degrees < options.corner_above   ? CurveKind::smooth
-           : degrees < options.reversal_above ? CurveKind::corner
-                                              : CurveKind::reversal;
+    constexpr double noise = 1e-6;
+    return degrees < options.end_below - noise        ? CurveKind::end
+           : degrees < options.corner_above - noise   ? CurveKind::smooth
+           : degrees < options.reversal_above - noise ? CurveKind::corner
+                                                      : CurveKind::reversal;
 }
 
 namespace detail {

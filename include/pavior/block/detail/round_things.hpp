@@ -62,8 +62,12 @@ struct RoundThing {
     const Vec3 v = thing.axis.cross(u);
     std::vector<Vec2> flat;
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-        const Vec3 d = nodes[path[i]] - centre;
-        flat.emplace_back(u.dot(d), v.dot(d));
+        const Vec3& x = nodes[path[i]];
+        const Vec3 before = (x - nodes[path[i > 0 ? i - 1 : path.size() - 2]]).stableNormalized();
+        const Vec3 after = (nodes[path[i + 1]] - x).stableNormalized();
+        if (before.cross(after).norm() > 1e-4) {  // others lie on the chords
+            flat.emplace_back(u.dot(x - centre), v.dot(x - centre));
+        }
     }
     if (const std::optional<Circle> circle = fit_circle(flat);
         circle && circle->centre.norm() < 0.05 * circle->radius) {
@@ -74,14 +78,17 @@ struct RoundThing {
     return thing;
 }
 
-/// The triangles of a patch as facets, all on one side, with its edges.
+/// The triangles of a patch as facets, all on one side, with its edges and those of its corners that are known to be on
+/// the surface behind it (`on_surface`, per node), all if they are few.
 struct PatchShape {
     std::vector<Facet> facets;
     std::vector<Vec3> points;
     std::vector<std::array<Index, 2>> edges;
 };
-[[nodiscard]] inline PatchShape patch_shape(const ReferenceMesh& mesh, const CellSnapshot& s, Index patch) {
+[[nodiscard]] inline PatchShape patch_shape(const ReferenceMesh& mesh, const CellSnapshot& s, Index patch,
+                                            std::span<const char> on_surface) {
     PatchShape shape;
+    std::vector<Index> nodes;
     for (const Index f : IndexRange(s.topology.faces.size())) {
         if (s.complex.face_patch[f] != patch) {
             continue;
@@ -90,12 +97,20 @@ struct PatchShape {
         TriCorners c = tet_face(mesh.tets[t], local_face(s.topology, t, f));
         shape.facets.push_back(make_facet(mesh.nodes[c[0]], mesh.nodes[c[1]], mesh.nodes[c[2]]));
         for (std::size_t k = 0; k < 3; ++k) {
-            shape.points.push_back(mesh.nodes[c[k]]);
+            nodes.push_back(c[k]);
             shape.edges.push_back(ascending(c[k], c[(k + 1) % 3]));
         }
     }
     std::sort(shape.edges.begin(), shape.edges.end());
     shape.edges.erase(std::unique(shape.edges.begin(), shape.edges.end()), shape.edges.end());
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    const auto known = std::count_if(nodes.begin(), nodes.end(), [&](Index i) { return on_surface[i] != 0; });
+    for (const Index i : nodes) {
+        if (known < 6 || on_surface[i] != 0) {
+            shape.points.push_back(mesh.nodes[i]);
+        }
+    }
     return shape;
 }
 
@@ -110,8 +125,9 @@ struct PatchShape {
 }
 
 /// Axis of a patch without vertices or with two: that of the surface that fits it, or its mean normal.
-[[nodiscard]] inline RoundThing round_patch(const ReferenceMesh& mesh, const CellSnapshot& s, Index patch) {
-    PatchShape shape = patch_shape(mesh, s, patch);
+[[nodiscard]] inline RoundThing round_patch(const ReferenceMesh& mesh, const CellSnapshot& s, Index patch,
+                                            std::span<const char> on_surface) {
+    PatchShape shape = patch_shape(mesh, s, patch, on_surface);
     RoundThing thing;
     thing.point = mean_centre(shape.facets);
     double area = 0;
@@ -141,7 +157,8 @@ struct PatchShape {
 
 /// The torus of which a closed chain is a cross-section: that of a boundary patch beside it.
 [[nodiscard]] inline std::optional<PatchSurface> tube_through(const ReferenceMesh& mesh, const CellSnapshot& s,
-                                                              Index chain, const RoundThing& thing) {
+                                                              Index chain, const RoundThing& thing,
+                                                              std::span<const char> on_surface) {
     for (const Index p : IndexRange(s.complex.patches.size())) {
         bool beside = false;
         for (Index l = s.complex.patch_loops[p]; l < s.complex.patch_loops[p + 1]; ++l) {
@@ -151,7 +168,7 @@ struct PatchShape {
         if (!beside || !s.topology.boundary(s.complex.patches[p])) {
             continue;
         }
-        const PatchSurface fit = rough_fit(patch_shape(mesh, s, p));
+        const PatchSurface fit = rough_fit(patch_shape(mesh, s, p, on_surface));
         if (fit.kind != SurfaceKind::torus) {
             continue;
         }
@@ -200,10 +217,14 @@ inline void halve_between_corners(const ReferenceMesh& mesh, const CellSnapshot&
 /// Everything round that is in the way: closed chains first, patches if there is no such chain, cells if neither.
 [[nodiscard]] inline std::vector<RoundThing> round_things(const ReferenceMesh& mesh, const CellSnapshot& s) {
     std::vector<RoundThing> things;
+    if (s.report.valid()) {
+        return things;
+    }
+    const std::vector<char> on_surface = front_boundary(mesh, s.topology).on_surface;
     for (const DualViolation& v : s.report.violations) {
         if (v.fault == DualFault::chain_closed || v.fault == DualFault::chain_one_vertex) {
             things.push_back(round_chain(mesh.nodes, s.complex.chain_path(v.ids[0])));
-            things.back().tube = tube_through(mesh, s, v.ids[0], things.back());
+            things.back().tube = tube_through(mesh, s, v.ids[0], things.back(), on_surface);
             things.back().lengthwise = things.back().tube.has_value();
         }
     }
@@ -212,7 +233,7 @@ inline void halve_between_corners(const ReferenceMesh& mesh, const CellSnapshot&
     }
     for (const DualViolation& v : s.report.violations) {
         if (v.fault == DualFault::patch_not_disc || v.fault == DualFault::patch_few_corners) {
-            things.push_back(round_patch(mesh, s, v.ids[0]));
+            things.push_back(round_patch(mesh, s, v.ids[0], on_surface));
             if (v.fault == DualFault::patch_few_corners && v.ids[1] == 2) {
                 halve_between_corners(mesh, s, v.ids[0], things.back());
             }
