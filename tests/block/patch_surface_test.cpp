@@ -85,3 +85,30 @@ TEST_CASE("what fits nothing is blended from its facets and is zero along a near
     CHECK(free.distance(Vec3(0.5, 0.5, 1)) > 0.5);
     CHECK(free.distance(Vec3(0.5, 0.5, -1)) < -0.5);
 }
+
+TEST_CASE("two circles are on a cone, not on the sphere through them") {
+    const auto band = [](int n, double top) {
+        Sample s;
+        for (int i = 0; i < n; ++i) {
+            const auto at = [&](int k, double r, double z) {
+                const double a = 2 * std::numbers::pi * k / n;
+                return Vec3(turn * Vec3(r * std::cos(a), r * std::sin(a), z));
+            };
+            const std::array<Vec3, 4> x{at(i, 1, 0), at(i + 1, 1, 0), at(i + 1, top, 1), at(i, top, 1)};
+            for (const auto& [a, b, c] : {std::array{x[0], x[1], x[2]}, std::array{x[0], x[2], x[3]}}) {
+                const Vec3 normal = (b - a).cross(c - a);
+                if (normal.norm() > 1e-9) {
+                    s.facets.push_back({(a + b + c) / 3, normal.normalized(), 0.5 * normal.norm()});
+                }
+            }
+            s.points.insert(s.points.end(), x.begin(), x.end());
+        }
+        return s;
+    };
+    for (const double top : {0.0, 0.5}) {
+        const Sample s = band(24, top);
+        const PatchSurface cone = fit_surface(s.facets, s.points, 1e-5);
+        CHECK(cone.kind == SurfaceKind::cone);
+        CHECK(std::abs(cone.distance(turn * Vec3(0, 2 - top, -1))) < 1e-3);
+    }
+}

@@ -51,3 +51,17 @@ TEST_CASE("a valid solid needs no axis") {
     const ReferenceMesh mesh = tet_meshes::reference(tet_meshes::box(1, 1, 1), 1, false);
     CHECK(repair_axes(mesh, cell_snapshot(mesh), 2.0).empty());
 }
+
+TEST_CASE("planes that nearly coincide become one sheet") {
+    std::vector<RepairSheet> sheets(4);
+    sheets[0].edges = {{0, 1}};
+    sheets[1].edges = {{2, 3}};
+    sheets[1].surface.point = Vec3(5, 0, 1e-4);
+    sheets[1].surface.axis = Vec3(0, 1e-5, -1).normalized();
+    sheets[2].surface.point = Vec3(0, 0, 0.1);
+    sheets[3].surface.kind = SurfaceKind::cylinder;
+    detail::merge_planes(sheets, 1e-3);
+    REQUIRE(sheets.size() == 3);
+    CHECK(sheets[0].edges == std::vector<std::array<Index, 2>>{{0, 1}, {2, 3}});
+    CHECK(sheets[1].surface.point[2] == 0.1);
+}

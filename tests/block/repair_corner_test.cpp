@@ -38,3 +38,29 @@ TEST_CASE("a solid whose corners are regular needs no split") {
     const ReferenceMesh mesh = tet_meshes::reference(tet_meshes::box(2, 1, 1), 1, false);
     CHECK_FALSE(repair_corner(mesh, cell_snapshot(mesh), 1e-6, 2.0));
 }
+
+TEST_CASE("a corner with one chain is crossed, one with two is parted") {
+    const ReferenceMesh mesh = tet_meshes::reference(tet_meshes::box(1, 1, 1), 1, false);
+    detail::CornerRing ring;
+    ring.node = 0;
+    ring.directions = {Vec3(1, 0, 0)};
+    const auto across = detail::cross_sheet(mesh, ring);
+    REQUIRE(across);
+    CHECK(across->surface.axis == Vec3(1, 0, 0));
+    CHECK(across->surface.point == mesh.nodes[0]);
+    ring.directions = {Vec3(1, 0, 0), Vec3(0, 1, 0)};
+    const auto between = detail::cross_sheet(mesh, ring);
+    REQUIRE(between);
+    CHECK(between->surface.axis.dot(ring.directions[0]) * between->surface.axis.dot(ring.directions[1]) < -0.4);
+    ring.directions.emplace_back(0, 0, 1);
+    CHECK_FALSE(detail::cross_sheet(mesh, ring));
+}
+
+TEST_CASE("a corner is split through two opposite chains by the plane that parts the others") {
+    detail::CornerRing ring;
+    ring.directions = {Vec3(1, 0, 0), Vec3(0, 0.6, 0.8), Vec3(-1, 0, 0), Vec3(0, 0.6, -0.8)};
+    const auto split = detail::try_split(ring, 0, 2);
+    REQUIRE(split);
+    CHECK(std::abs(split->normal[2]) == Approx(1));
+    CHECK(split->clearance == Approx(0.8));
+}

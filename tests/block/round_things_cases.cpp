@@ -63,3 +63,23 @@ TEST_CASE("nothing is round about a box") {
     const ReferenceMesh mesh = tet_meshes::reference(tet_meshes::box(1, 1, 1), 1, false);
     CHECK(detail::round_things(mesh, cell_snapshot(mesh)).empty());
 }
+
+TEST_CASE("the axis of a circle does not depend on how its polygon is sampled") {
+    std::vector<Vec3> nodes;
+    for (int k = 0; k < 24; k += k < 12 ? 1 : 3) {  // finer on one side, and with nodes on some chords
+        const double a = 2 * std::numbers::pi * k / 24;
+        nodes.emplace_back(1 + std::cos(a), std::sin(a), 2);
+        if (k % 4 == 1) {
+            const double b = 2 * std::numbers::pi * (k + (k < 12 ? 1 : 3)) / 24;
+            nodes.push_back(0.3 * nodes.back() + 0.7 * Vec3(1 + std::cos(b), std::sin(b), 2));
+        }
+    }
+    std::vector<Index> path;
+    for (const Index i : IndexRange(nodes.size())) {
+        path.push_back(i);
+    }
+    path.push_back(0);
+    const detail::RoundThing thing = detail::round_chain(nodes, path);
+    CHECK((thing.point - Vec3(1, 0, 2)).norm() < 1e-9);
+    CHECK(thing.axis.cross(Vec3::UnitZ()).norm() < 1e-9);
+}

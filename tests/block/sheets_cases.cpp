@@ -181,6 +181,40 @@ TEST_CASE("round solids have their blocks on every reference mesh") {
     }
 }
 
+TEST_CASE("solids on the limits have their blocks on every reference mesh") {
+    using test::circle;
+    using test::rings;
+    using test::square;
+    struct Solid {
+        const char* name;
+        TriMesh surface;
+        test::BlockCount want;
+    };
+    TriMesh spire = rings({square(24, 1.5, 0), square(24, 1.5, 1), circle(24, 1, 1)}, false);
+    spire.nodes.back()[2] = 2;  // on a sphere with its base circle
+    const std::vector<Solid> solids{
+        {"prism with angles of 135 degrees", rings({circle(8, 1, 0), circle(8, 1, 2)}, false), {24, 51}},
+        {"cone on a box", spire, {96, 173}},
+        {"cylinder in a cylinder",
+         test::together(rings({circle(24, 2, 0), circle(24, 2, 3)}, false),
+                        rings({circle(24, 0.6, 1), circle(24, 0.6, 2)}, false, true)),
+         {144, 222}},
+        {"sphere in a box",
+         test::together(rings({square(24, 1.5, -1.5), square(24, 1.5, 1.5)}, false), test::sphere(24, 0.8, true)),
+         {80, 150}},
+    };
+    for (const Solid& solid : solids) {
+        for (const unsigned seed : {0U, 7U}) {
+            for (int kind = 0; kind < 3; ++kind) {
+                INFO(solid.name << ", turned by seed " << seed << ", reference mesh " << kind);
+                check_blocks(
+                    reference_of(seed == 0 ? bare(solid.surface) : turned(bare(solid.surface), seed), kind, 1000),
+                    solid.want, 0.25);
+            }
+        }
+    }
+}
+
 TEST_CASE("random orthogonal solids have the blocks that are counted on their grid") {
     const unsigned count = trials(60);
     std::cout << "orthogonal solids: seeds 0 .. " << count - 1 << '\n';

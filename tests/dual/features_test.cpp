@@ -292,3 +292,14 @@ TEST_CASE("solids so large or small that products of lengths leave the range of 
         }
     }
 }
+
+TEST_CASE("an angle on a limit is on the far side of it whatever its round-off") {
+    for (const double noise : {-1e-9, 0.0, 1e-9}) {
+        CHECK(curve_kind(135 + noise) == CurveKind::smooth);
+        CHECK(curve_kind(225 + noise) == CurveKind::corner);
+        CHECK(curve_kind(315 + noise) == CurveKind::reversal);
+    }
+    CHECK(curve_kind(134.9999) == CurveKind::end);
+    CHECK(curve_kind(224.9999) == CurveKind::smooth);
+    CHECK(curve_kind(314.9999) == CurveKind::corner);
+}

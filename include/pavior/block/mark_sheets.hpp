@@ -84,12 +84,12 @@ public:
     }
 
 private:
-    /// Adds sheets until nothing is violated, there is nothing to add or there are too many blocks.
+    /// Adds sheets until nothing is violated, there is nothing to add or blocks or violations get out of hand.
     void repair(CutMesh& cut, SheetReport& report, Propagation propagation) const {
         CellSnapshot now = cell_snapshot(cut.mesh);
-        const double limit =
-            options_.max_growth * static_cast<double>(std::max<std::size_t>(now.complex.corners.size(), 16));
-        while (!now.report.valid() && report.rounds < options_.max_rounds &&
+        const double limit = std::max(1024.0, options_.max_growth * static_cast<double>(now.complex.corners.size()));
+        const std::size_t most = 16 * (now.report.violations.size() + 4);
+        while (!now.report.valid() && now.report.violations.size() <= most && report.rounds < options_.max_rounds &&
                static_cast<double>(now.complex.corners.size()) <= limit) {
             std::vector<RepairSheet> repairs = repair_axes(cut.mesh, now, size_);
             if (repairs.empty()) {
@@ -145,6 +145,9 @@ private:
            (!whole.valid || (stopped.blocks < whole.blocks && (stopped.quality > 0 || !(whole.quality > 0))));
 }
 
+/// True if whole sheets failed without making so many blocks that nothing better can be hoped for.
+[[nodiscard]] inline bool worth_stopping(const SheetReport& whole) { return !whole.valid && whole.blocks <= 4096; }
+
 /// Every inner face becomes a layer: midpoint subdivision of the tetrahedra.
 [[nodiscard]] inline MarkedMesh mark_everything(const ReferenceMesh& mesh, const MarkingOptions& options) {
     MarkedMesh out{mesh, {}};
@@ -169,8 +172,9 @@ private:
 /// not valid: planes through the axes of closed curves and round patches, planes through two curves of corners with
 /// more than three. Fronts that face each other on slightly tilted surfaces are tried as one bent sheet too; the better
 /// result (better_marking()) is kept. What is left invalid is in the report.
-/// With Propagation::stop each sheet ends at chains that exist already, unless that leaves more to repair than the
-/// whole sheet does; the result of Propagation::full is kept if that is valid and has no more blocks.
+/// With Propagation::stop, or where whole sheets find no valid marking of at most some thousand blocks, each sheet ends at chains that exist already,
+/// unless that leaves more to repair than the whole sheet does; the result of Propagation::full is kept if that is valid
+/// and has no more blocks.
 /// The mesh must be a reference mesh of the solid: patches, curves, vertices (make_reference_mesh()). Its layers stay.
 /// O(n) a sheet; tetrahedra grow by 1.5 to 3 times. Deterministic. \throws what tet_topology() and classify() throw
 template <classified_tet_mesh M>
@@ -181,7 +185,7 @@ template <classified_tet_mesh M>
     }
     const detail::SheetMarker marker(reference, options);
     MarkedMesh best = detail::mark_best(marker, Propagation::full);
-    if (options.propagation == Propagation::stop) {
+    if (options.propagation == Propagation::stop || detail::worth_stopping(best.report)) {
         MarkedMesh stopped = detail::mark_best(marker, Propagation::stop);
         stopped.report.tries += best.report.tries;
         if (detail::stop_pays(stopped.report, best.report)) {

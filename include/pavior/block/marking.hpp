@@ -43,8 +43,9 @@ struct MarkingOptions {
     double blend_angle = 15.0;
     /// Rounds of repair, each of which adds sheets; 0: none.
     int max_rounds = 24;
-    /// Repair gives up when there are more blocks than this times those of the first round (1000 at least).
-    double max_growth = 64.0;
+    /// Repair gives up when there are more blocks than this times those of the first round (1000 at least), or when
+    /// violations have multiplied.
+    double max_growth = 16.0;
     /// What to do when repair gives up: true marks every face of the reference mesh as a layer, which makes four
     /// blocks of each tetrahedron and is always valid; false leaves the violations in the report.
     bool split_everything = false;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Repair of corners with more than three chains: a sheet through two of them.
+/// Repair of corners that do not have three chains: a sheet through two of more, one that crosses between fewer.
 
 #include <pavior/block/repair_sheet.hpp>
 
@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -76,21 +75,45 @@ struct CornerRing {
     return ring;
 }
 
-/// A plane through two chains of a corner and how good it is; greater is better.
+/// A plane through two chains of a corner and how good it is.
 struct CornerSplit {
     std::size_t first = 0;
     std::size_t second = 0;
     Vec3 normal{0, 0, 0};
     long passes = 0;       ///< hexahedron vertices on it less twice those close to it
     double clearance = 0;  ///< sine of the angle to the nearest of the other chains
+    double spread = 0;     ///< mean distance of the hexahedron vertices from it, over the size of the solid
+
+    /// What is equal but for round-off is equal: the choice does not depend on the mesh.
+    [[nodiscard]] bool better_than(const CornerSplit& other) const {
+        if (passes != other.passes) {
+            return passes > other.passes;
+        }
+        if (std::abs(clearance - other.clearance) > 1e-5) {
+            return clearance > other.clearance;
+        }
+        return spread < other.spread - 1e-5;
+    }
 };
 
-[[nodiscard]] inline std::optional<CornerSplit> try_split(const CornerRing& ring, std::size_t i, std::size_t j) {
-    CornerSplit split{i, j, ring.directions[i].cross(ring.directions[j]), 0, 1};
-    if (split.normal.norm() < 1e-3) {
-        return std::nullopt;
+/// Normal of the plane through two chains; if these are opposite, that which parts the others best.
+[[nodiscard]] inline Vec3 split_normal(const CornerRing& ring, std::size_t i, std::size_t j) {
+    const Vec3 normal = ring.directions[i].cross(ring.directions[j]);
+    if (normal.norm() >= 1e-3 || ring.directions[i].dot(ring.directions[j]) > 0) {
+        return normal.norm() >= 1e-3 ? Vec3(normal.normalized()) : Vec3(0, 0, 0);
     }
-    split.normal.normalize();
+    Vec3 apart(0, 0, 0);
+    for (std::size_t k = 0; k < ring.directions.size(); ++k) {
+        if (k != i && k != j) {
+            const Vec3 across = ring.directions[k] - ring.directions[i].dot(ring.directions[k]) * ring.directions[i];
+            apart += (i < k && k < j ? 1 : -1) * across.stableNormalized();
+        }
+    }
+    return apart.norm() > 0.1 ? Vec3(apart.normalized()) : Vec3(0, 0, 0);
+}
+
+[[nodiscard]] inline std::optional<CornerSplit> try_split(const CornerRing& ring, std::size_t i, std::size_t j) {
+    CornerSplit split{i, j, split_normal(ring, i, j), 0, 1, 0};
     double side = 0;
     for (std::size_t k = 0; k < ring.directions.size(); ++k) {
         if (k == i || k == j) {
@@ -111,7 +134,27 @@ inline void count_passes(const ReferenceMesh& mesh, const CellSnapshot& s, const
     for (const Index i : s.complex.vertices) {
         const double d = std::abs(split.normal.dot(mesh.nodes[i] - mesh.nodes[ring.node]));
         split.passes += d <= 20 * tolerance ? 1 : d <= 0.01 * size ? -2 : 0;
+        split.spread += d / (size * static_cast<double>(s.complex.vertices.size()));
     }
+}
+
+/// The best plane through two chains of a corner that are no neighbours.
+[[nodiscard]] inline std::optional<CornerSplit> best_split(const ReferenceMesh& mesh, const CellSnapshot& s,
+                                                           const CornerRing& ring, double tolerance, double size) {
+    std::optional<CornerSplit> best;
+    for (std::size_t i = 0; i < ring.chains.size(); ++i) {
+        for (std::size_t j = i + 2; j < ring.chains.size() - (i == 0 ? 1 : 0); ++j) {
+            std::optional<CornerSplit> split = try_split(ring, i, j);
+            if (!split) {
+                continue;
+            }
+            count_passes(mesh, s, ring, tolerance, size, *split);
+            if (!best || split->better_than(*best)) {
+                best = split;
+            }
+        }
+    }
+    return best;
 }
 
 /// Chains that are not straight: the sheet is ruled between the two, as facets along both.
@@ -149,43 +192,69 @@ inline void count_passes(const ReferenceMesh& mesh, const CellSnapshot& s, const
     return surface;
 }
 
-}  // namespace detail
+/// The sheet of a split.
+[[nodiscard]] inline RepairSheet split_sheet(const ReferenceMesh& mesh, const CellSnapshot& s, const CornerRing& ring,
+                                             const CornerSplit& split, double tolerance) {
+    RepairSheet repair;
+    repair.kind = SheetKind::corner;
+    repair.node = ring.node;
+    repair.tets = ring.tets;
+    repair.surface = surface_through(mesh, s, ring, split, tolerance, repair);
+    return repair;
+}
 
-/// The sheet that splits the worst corner (most chains, then smallest vertex) among those with more than three; none if
-/// there is no such corner or no pair of its chains spans a plane that leaves the others on its two sides. Planes that
-/// pass through many hexahedron vertices and few near misses win, then those far from the other chains.
-/// \p tolerance and \p size are lengths: of what counts as on the plane, and of the solid.
-[[nodiscard]] inline std::optional<RepairSheet> repair_corner(const ReferenceMesh& mesh, const CellSnapshot& s,
-                                                              double tolerance, double size) {
-    std::vector<std::pair<Index, std::size_t>> order;  // missing valence first
+/// A corner with one or two chains: a plane across the one, or halfway between the two.
+[[nodiscard]] inline std::optional<RepairSheet> cross_sheet(const ReferenceMesh& mesh, const CornerRing& ring) {
+    if (ring.directions.empty() || ring.directions.size() > 2) {
+        return std::nullopt;
+    }
+    const Vec3 apart = ring.directions.size() == 1 ? ring.directions[0] : Vec3(ring.directions[0] - ring.directions[1]);
+    if (!(apart.norm() > 1e-3)) {
+        return std::nullopt;
+    }
+    RepairSheet repair;
+    repair.kind = SheetKind::corner;
+    repair.node = ring.node;
+    repair.tets = ring.tets;
+    repair.surface.point = mesh.nodes[ring.node];
+    repair.surface.axis = apart.normalized();
+    return repair;
+}
+
+/// Corners with one ring of chains that do not have three, most chains first.
+[[nodiscard]] inline std::vector<std::pair<Index, std::size_t>> bad_corners(const CellSnapshot& s) {
+    std::vector<std::pair<Index, std::size_t>> order;
     for (std::size_t k = 0; k < s.complex.corners.size(); ++k) {
-        if (s.complex.corners[k].rings == 1 && s.complex.corners[k].valence > 3) {
+        if (s.complex.corners[k].rings == 1 && s.complex.corners[k].valence != 3) {
             order.emplace_back(~s.complex.corners[k].valence, k);
         }
     }
     std::stable_sort(order.begin(), order.end());
+    return order;
+}
+
+}  // namespace detail
+
+/// The sheet that splits the worst corner (most chains, then smallest vertex) among those with more than three; none if
+/// no pair of chains of any spans a plane that leaves the others on its two sides. Planes that pass through many
+/// hexahedron vertices and few near misses win, then those far from the other chains, then those near to many hexahedron
+/// vertices. If there are only corners with one or two chains, a plane across the one, or halfway between the two, at
+/// the first of them.
+/// \p tolerance and \p size are lengths: of what counts as on the plane, and of the solid.
+[[nodiscard]] inline std::optional<RepairSheet> repair_corner(const ReferenceMesh& mesh, const CellSnapshot& s,
+                                                              double tolerance, double size) {
+    const auto order = detail::bad_corners(s);
     for (const auto& [valence, k] : order) {
-        const detail::CornerRing ring = detail::corner_ring(mesh, s, s.complex.corners[k]);
-        std::optional<detail::CornerSplit> best;
-        for (std::size_t i = 0; i < ring.chains.size(); ++i) {
-            for (std::size_t j = i + 2; j < ring.chains.size() - (i == 0 ? 1 : 0); ++j) {
-                std::optional<detail::CornerSplit> split = detail::try_split(ring, i, j);
-                if (!split) {
-                    continue;
-                }
-                detail::count_passes(mesh, s, ring, tolerance, size, *split);
-                if (!best || std::tie(split->passes, split->clearance) > std::tie(best->passes, best->clearance)) {
-                    best = split;
-                }
+        const CellCorner& corner = s.complex.corners[k];
+        const detail::CornerRing ring = detail::corner_ring(mesh, s, corner);
+        if (corner.valence > 3) {
+            if (const auto split = detail::best_split(mesh, s, ring, tolerance, size)) {
+                return detail::split_sheet(mesh, s, ring, *split, tolerance);
             }
-        }
-        if (best) {
-            RepairSheet repair;
-            repair.kind = SheetKind::corner;
-            repair.node = ring.node;
-            repair.tets = ring.tets;
-            repair.surface = detail::surface_through(mesh, s, ring, *best, tolerance, repair);
-            return repair;
+        } else if (s.complex.corners[order.front().second].valence > 3) {
+            break;
+        } else if (std::optional<RepairSheet> sheet = detail::cross_sheet(mesh, ring)) {
+            return sheet;
         }
     }
     return std::nullopt;

@@ -83,8 +83,8 @@ namespace detail {
             out.feature[place[e]] = 1;
         }
     }
-    out.on_surface = detail::facet_corners(out.surface.triangles, mesh.nodes.size(),
-                                           [&](Index t) { return out.facets[t].normal; });
+    out.on_surface =
+        detail::facet_corners(out.surface.triangles, mesh.nodes.size(), [&](Index t) { return out.facets[t].normal; });
     for (const TaggedNode& v : mesh.vertices) {
         out.on_surface[v.node] = 1;
     }

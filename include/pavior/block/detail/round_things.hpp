@@ -41,6 +41,16 @@ struct RoundThing {
     return edges;
 }
 
+/// True if a circle was fitted to points round the origin that lie on it, or has its centre close to the origin.
+[[nodiscard]] inline bool trusted(const Circle& circle, std::span<const Vec2> points) {
+    const auto on = [&](const Vec2& x) {
+        return std::abs((x - circle.centre).norm() - circle.radius) <= 0.02 * circle.radius;
+    };
+    const double off = circle.centre.norm();
+    return off < 0.05 * circle.radius ||
+           (points.size() >= 6 && off < 0.5 * circle.radius && std::all_of(points.begin(), points.end(), on));
+}
+
 /// Axis of a closed chain: the normal of its area vector through the centre of the circle that fits, or its centroid.
 [[nodiscard]] inline RoundThing round_chain(std::span<const Vec3> nodes, std::span<const Index> path) {
     RoundThing thing;
@@ -69,8 +79,7 @@ struct RoundThing {
             flat.emplace_back(u.dot(x - centre), v.dot(x - centre));
         }
     }
-    if (const std::optional<Circle> circle = fit_circle(flat);
-        circle && circle->centre.norm() < 0.05 * circle->radius) {
+    if (const std::optional<Circle> circle = fit_circle(flat); circle && trusted(*circle, flat)) {
         centre += circle->centre[0] * u + circle->centre[1] * v;
     }
     thing.point = centre;
