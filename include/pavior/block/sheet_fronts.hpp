@@ -3,7 +3,7 @@
 /// Where sheets start: a corner or reversal curve, and a patch that the sheet continues past it.
 
 #include <pavior/block/detail/facet_corners.hpp>
-#include <pavior/block/patch_surface.hpp>
+#include <pavior/block/fit_surface.hpp>
 #include <pavior/dual/boundary_surface.hpp>
 #include <pavior/dual/reference_mesh.hpp>
 

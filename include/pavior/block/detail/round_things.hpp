@@ -3,6 +3,7 @@
 /// What is round in a cell complex, its axes and centres: closed chains, patches with too few corners.
 
 #include <pavior/block/cell_snapshot.hpp>
+#include <pavior/block/fit_surface.hpp>
 #include <pavior/block/sheet_faces.hpp>
 #include <pavior/block/sheet_fronts.hpp>
 
