@@ -87,7 +87,8 @@ private:
     /// Adds sheets until nothing is violated, there is nothing to add or blocks or violations get out of hand.
     void repair(CutMesh& cut, SheetReport& report, Propagation propagation) const {
         CellSnapshot now = cell_snapshot(cut.mesh);
-        const double limit = std::max(1024.0, options_.max_growth * static_cast<double>(now.complex.corners.size()));
+        const double limit =
+            options_.max_growth * static_cast<double>(std::max<std::size_t>(now.complex.corners.size(), 16));
         const std::size_t most = 16 * (now.report.violations.size() + 4);
         while (!now.report.valid() && now.report.violations.size() <= most && report.rounds < options_.max_rounds &&
                static_cast<double>(now.complex.corners.size()) <= limit) {

@@ -45,7 +45,7 @@ struct MarkingOptions {
     int max_rounds = 24;
     /// Repair gives up when there are more blocks than this times those of the first round (1000 at least), or when
     /// violations have multiplied.
-    double max_growth = 16.0;
+    double max_growth = 64.0;
     /// What to do when repair gives up: true marks every face of the reference mesh as a layer, which makes four
     /// blocks of each tetrahedron and is always valid; false leaves the violations in the report.
     bool split_everything = false;
