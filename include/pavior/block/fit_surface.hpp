@@ -334,6 +334,47 @@ struct NormalSpread {
     return most;
 }
 
+/// The surface with its side, if it fits.
+[[nodiscard]] inline std::optional<PatchSurface> held(std::optional<PatchSurface> s, std::span<const Facet> facets,
+                                                      std::span<const Vec3> points, double tolerance) {
+    if (s) {
+        orient(*s, facets);
+        if (!fit_holds(*s, facets, points, tolerance)) {
+            s.reset();
+        }
+    }
+    return s;
+}
+
+/// Two circles are on a cone and on a sphere: the one closer to the triangles.
+[[nodiscard]] inline std::optional<PatchSurface> cone_or_sphere(std::span<const Facet> facets,
+                                                                std::span<const Vec3> points, double tolerance) {
+    std::optional<PatchSurface> sphere = held(sphere_through(points), facets, points, tolerance);
+    std::optional<PatchSurface> cone = held(cone_through(facets, points), facets, points, tolerance);
+    const bool both = sphere && cone;
+    if (both ? largest_distance(*sphere, facets, points) < largest_distance(*cone, facets, points) : !cone) {
+        return sphere;
+    }
+    return cone;
+}
+
+[[nodiscard]] inline PatchSurface curved_through(std::span<const Facet> facets, std::span<const Vec3> points,
+                                                 double tolerance) {
+    if (const auto cylinder = held(cylinder_through(facets, points), facets, points, tolerance)) {
+        return *cylinder;
+    }
+    if (const auto round = cone_or_sphere(facets, points, tolerance)) {
+        return *round;
+    }
+    if (const auto torus = held(torus_through(facets, points), facets, points, tolerance)) {
+        return *torus;
+    }
+    PatchSurface s;
+    s.kind = SurfaceKind::facets;
+    s.facets.assign(facets.begin(), facets.end());
+    return s;
+}
+
 }  // namespace detail
 
 /// The simplest surface that passes within \p tolerance (a length) of \p points, the nodes that are on the true
@@ -342,39 +383,12 @@ struct NormalSpread {
 /// O(n); the triangles are copied for kind facets.
 [[nodiscard]] inline PatchSurface fit_surface(std::span<const Facet> facets, std::span<const Vec3> points,
                                               double tolerance) {
-    std::optional<PatchSurface> s = detail::plane_through(facets, points);
-    const auto holds = [&] {
-        if (!s) {
-            return false;
-        }
-        detail::orient(*s, facets);
-        return detail::fit_holds(*s, facets, points, tolerance);
-    };
-    const auto cone_or_sphere = [&] {
-        std::optional<PatchSurface> sphere = detail::sphere_through(points);
-        s = sphere;
-        const bool is_sphere = holds();
-        sphere = s;
-        s = detail::cone_through(facets, points);
-        if (!holds()) {
-            s = sphere;
-            return is_sphere;
-        }
-        if (is_sphere &&
-            detail::largest_distance(*sphere, facets, points) < detail::largest_distance(*s, facets, points)) {
-            s = sphere;
-        }
-        return true;
-    };
-    const bool plane = detail::fit_holds(*s, facets, points, tolerance);
-    if (!plane && !((s = detail::cylinder_through(facets, points)) && holds()) && !cone_or_sphere() &&
-        !((s = detail::torus_through(facets, points)) && holds())) {
-        s = PatchSurface{};
-        s->kind = SurfaceKind::facets;
-        s->facets.assign(facets.begin(), facets.end());
+    PatchSurface s = detail::plane_through(facets, points);
+    if (!detail::fit_holds(s, facets, points, tolerance)) {
+        s = detail::curved_through(facets, points, tolerance);
     }
-    s->sagitta = detail::largest_distance(*s, facets, points);
-    return *s;
+    s.sagitta = detail::largest_distance(s, facets, points);
+    return s;
 }
 
 }  // namespace pavior

@@ -173,8 +173,8 @@ private:
 /// not valid: planes through the axes of closed curves and round patches, planes through two curves of corners with
 /// more than three. Fronts that face each other on slightly tilted surfaces are tried as one bent sheet too; the better
 /// result (better_marking()) is kept. What is left invalid is in the report.
-/// With Propagation::stop, or where whole sheets find no valid marking (of at most some thousand blocks), each sheet ends
-/// at chains that exist already, unless that leaves more to repair than the whole sheet does; the result of
+/// With Propagation::stop, or where whole sheets find no valid marking (of some thousand blocks at most), each sheet
+/// ends at chains that exist already, unless that leaves more to repair than the whole sheet does; the result of
 /// Propagation::full is kept if that is valid and has no more blocks.
 /// The mesh must be a reference mesh of the solid: patches, curves, vertices (make_reference_mesh()). Its layers stay.
 /// O(n) a sheet; tetrahedra grow by 1.5 to 3 times. Deterministic. \throws what tet_topology() and classify() throw

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// A smooth surface behind a set of boundary triangles: plane, cylinder, cone, sphere, torus, or moving least squares of
-/// the triangles' planes. Signed distances continue it into the solid; fit_surface() finds it.
+/// A smooth surface behind a set of boundary triangles: plane, cylinder, cone, sphere, torus, or moving least squares
+/// of the triangles' planes. Signed distances continue it into the solid; fit_surface() finds it.
 
 #include <pavior/math/point.hpp>
 
