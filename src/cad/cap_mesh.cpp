@@ -133,8 +133,15 @@ public:
                 consider(detail::recombined_quads(loops_, size_, recipe));
             }
         }
-        if (best_quality_ <= bad) {
-            consider(detail::subdivided_triangles(loops_, size_));
+        for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
+            if (best_quality_ > bad) {
+                break;
+            }
+            const auto triangles = detail::subdivided_triangles(loops_, size_, first);
+            consider(triangles);
+            if (triangles && best_quality_ <= bad) {
+                consider(detail::pillowed(*triangles, loops_));
+            }
         }
         if (best_.quads.empty() || best_quality_ <= 0) {
             throw Error(

@@ -271,10 +271,10 @@ std::optional<PlaneQuads> recombined_quads(const PlaneLoops& loops, double size,
 namespace {
 
 /// Every second node of each loop.
-PlaneLoops halved(const PlaneLoops& loops) {
+PlaneLoops halved(const PlaneLoops& loops, std::size_t first) {
     PlaneLoops half;
     for (std::size_t l = 0; l < loops.size(); ++l) {
-        for (std::size_t i = loops.offsets[l]; i < loops.offsets[l + 1]; i += 2) {
+        for (std::size_t i = loops.offsets[l] + first; i < loops.offsets[l + 1]; i += 2) {
             half.points.push_back(loops.points[i]);
         }
         half.offsets.push_back(half.points.size());
@@ -323,14 +323,14 @@ private:
 
 }  // namespace
 
-std::optional<PlaneQuads> subdivided_triangles(const PlaneLoops& loops, double size) {
+std::optional<PlaneQuads> subdivided_triangles(const PlaneLoops& loops, double size, std::size_t first) {
     for (std::size_t l = 0; l < loops.size(); ++l) {
         const std::size_t n = loops.offsets[l + 1] - loops.offsets[l];
         if (n % 2 != 0 || n < 6) {
             return std::nullopt;
         }
     }
-    const PlaneLoops half = halved(loops);
+    const PlaneLoops half = halved(loops, first);
     const std::optional<RawMesh> coarse = meshed(half, 2 * size, nullptr);
     if (!coarse) {
         return std::nullopt;
@@ -340,9 +340,10 @@ std::optional<PlaneQuads> subdivided_triangles(const PlaneLoops& loops, double s
     EdgeMiddles middles(number, mesh.nodes);
     for (std::size_t l = 0; l < half.size(); ++l) {
         for (std::size_t i = half.offsets[l]; i < half.offsets[l + 1]; ++i) {
-            const std::size_t fine = loops.offsets[l] + 2 * (i - half.offsets[l]);
+            const std::size_t fine = loops.offsets[l] + first + 2 * (i - half.offsets[l]);
             number[i] = static_cast<Index>(fine);
-            middles.add(static_cast<Index>(i), static_cast<Index>(half.next(l, i)), static_cast<Index>(fine + 1));
+            middles.add(static_cast<Index>(i), static_cast<Index>(half.next(l, i)),
+                        static_cast<Index>(loops.next(l, fine)));
         }
     }
     middles.sort();
@@ -360,6 +361,38 @@ std::optional<PlaneQuads> subdivided_triangles(const PlaneLoops& loops, double s
         }
     }
     return fits(loops, mesh) ? std::optional(mesh) : std::nullopt;
+}
+
+PlaneQuads pillowed(const PlaneQuads& quads, const PlaneLoops& loops) {
+    constexpr double depth = 0.15;  // of the shorter of two neighbouring boundary edges
+    PlaneQuads mesh = quads;
+    const std::size_t n = loops.points.size();
+    std::vector<Index> inner(n);
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+        std::size_t before = loops.offsets[l + 1] - 1;
+        for (std::size_t i = loops.offsets[l]; i < loops.offsets[l + 1]; before = i++) {
+            const Vec2 out = loops.points[loops.next(l, i)] - loops.points[i];
+            const Vec2 in = loops.points[before] - loops.points[i];
+            const double angle = std::atan2(cross(out, in), out.dot(in));
+            const double half = 0.5 * (angle < 0 ? angle + 2 * std::numbers::pi : angle);
+            const Vec2 along = depth * std::min(out.norm(), in.norm()) * out.normalized();
+            inner[i] = static_cast<Index>(mesh.nodes.size());
+            mesh.nodes.push_back(loops.points[i] + std::cos(half) * along +
+                                 std::sin(half) * Vec2(-along.y(), along.x()));
+        }
+    }
+    for (QuadCorners& quad : mesh.quads) {
+        for (Index& i : quad) {
+            i = i < n ? inner[i] : i;
+        }
+    }
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+        for (std::size_t i = loops.offsets[l]; i < loops.offsets[l + 1]; ++i) {
+            const std::size_t next = loops.next(l, i);
+            mesh.quads.push_back({static_cast<Index>(i), static_cast<Index>(next), inner[next], inner[i]});
+        }
+    }
+    return mesh;
 }
 
 }  // namespace pavior::detail

@@ -44,9 +44,14 @@ std::optional<PlaneQuads> grid_quads(const PlaneLoops& loops);
 /// a boundary node is missing, or Gmsh fails.
 std::optional<PlaneQuads> recombined_quads(const PlaneLoops& loops, double size, const QuadRecipe& recipe);
 
-/// Triangles between every second boundary node, each cut into three quads; every loop must have evenly many nodes.
-/// Always all-quad; nothing if Gmsh fails.
-std::optional<PlaneQuads> subdivided_triangles(const PlaneLoops& loops, double size);
+/// Triangles between every second boundary node, from the node \p first (0 or 1) of each loop on, each cut into three
+/// quads; every loop must have evenly many nodes. Always all-quad; nothing if Gmsh fails.
+std::optional<PlaneQuads> subdivided_triangles(const PlaneLoops& loops, double size, std::size_t first = 0);
+
+/// \p quads between the loops with one more layer of quads along all loops, so that no corner of a quad has to span a
+/// straight or reflex angle of the boundary. The inner nodes of the layer lie a little inside; quads may be folded until
+/// they are smoothed.
+PlaneQuads pillowed(const PlaneQuads& quads, const PlaneLoops& loops);
 
 /// The smallest determinant of unit edge vectors at a corner: 1 for rectangles, <= 0 for folded quads.
 double smallest_corner(std::span<const Vec2> nodes, std::span<const QuadCorners> quads);

@@ -77,8 +77,14 @@ public:
                 failures += consider(detail::recombined_quads(loops_, size, recipe)) ? 0 : 1;
             }
         }
-        if (quality_ < acceptable) {
-            consider(detail::subdivided_triangles(loops_, size));
+        for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
+            if (quality_ >= acceptable) {
+                break;
+            }
+            const auto triangles = detail::subdivided_triangles(loops_, size, first);
+            if (triangles && consider(triangles) && quality_ < acceptable) {
+                consider(detail::pillowed(*triangles, loops_));
+            }
         }
         if (best_.quads.empty() || quality_ < flat) {
             throw Error(ErrorCode::cad_failure, "a plane region of " + std::to_string(region_.points.size()) +

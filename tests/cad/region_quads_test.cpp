@@ -6,7 +6,10 @@
 #include <pavior/mesh/span_mesh.hpp>
 #include <pavior/mesh/verify_quads.hpp>
 
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <vector>
 
 using namespace pavior;
 
@@ -46,6 +49,19 @@ void verify(const PlaneRegion& region, const PlaneQuadMesh& mesh, double area) {
     CHECK(sum == Approx(area));
 }
 
+/// The least sine of a corner angle.
+double least_corner(const PlaneQuadMesh& mesh) {
+    double least = 1;
+    for (const QuadCorners& q : mesh.quads) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Vec2 a = (mesh.nodes[q[(k + 1) % 4]] - mesh.nodes[q[k]]).normalized();
+            const Vec2 b = (mesh.nodes[q[(k + 3) % 4]] - mesh.nodes[q[k]]).normalized();
+            least = std::min(least, a[0] * b[1] - a[1] * b[0]);
+        }
+    }
+    return least;
+}
+
 }  // namespace
 
 TEST_CASE("a rectangle becomes a grid") {
@@ -65,6 +81,25 @@ TEST_CASE("a region with a hole is filled between its nodes") {
     RegionOptions fine;
     fine.size = 0.5;
     CHECK(mesh_region(region, fine).quads.size() > mesh.quads.size());
+}
+
+TEST_CASE("triangles with unlike numbers of intervals are filled") {
+    const std::vector<std::array<std::size_t, 3>> numbers{{1, 4, 1}, {2, 7, 3}, {1, 1, 10}, {3, 12, 1}, {2, 2, 20}};
+    for (const auto& n : numbers) {
+        CAPTURE(n[0], n[1], n[2]);
+        const std::array<Vec2, 3> corners{Vec2(5, 3), Vec2(6, 3), Vec2(5.2, 4)};
+        PlaneRegion region;
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t i = 0; i < n[k]; ++i) {
+                const double t = static_cast<double>(i) / static_cast<double>(n[k]);
+                region.points.emplace_back((1 - t) * corners[k] + t * corners[(k + 1) % 3]);
+            }
+        }
+        region.offsets.push_back(region.points.size());
+        const PlaneQuadMesh mesh = mesh_region(region);
+        verify(region, mesh, 0.5);
+        CHECK(least_corner(mesh) > 0.05);
+    }
 }
 
 TEST_CASE("regions that are none are refused") {
