@@ -67,3 +67,21 @@ TEST_CASE("a wall that the merging of curves closed is a fault") {
     CHECK_FALSE(closed.fault.empty());
     CHECK_FALSE(closed.curves.empty());
 }
+
+TEST_CASE("a side that the corner of a cavity would dent is a fault") {
+    // The cavity, from height 1 to 3, has a corner 0.1 from the side x = 0 (curves 3 and 7).
+    const std::vector<Vec2> cavity{{0.1, 1}, {1, 0.5}, {2, 1}, {1, 1.5}};
+    const PolygonBody body(
+        {bottom(0, {box(0, 0, 4, 2)}), top(4, {box(0, 0, 4, 2)}), top(1, {cavity}), bottom(3, {cavity})});
+    ExtrudedBody sided = body.body();
+    REQUIRE(sided.plane[3].back() == Vec2(0, 0));
+    REQUIRE(sided.plane[7].back() == Vec2(0, 0));
+    sided.sides = {{{3, 7}, 100}};
+    CHECK(cell_stacks(sided, body, imprint(sided.plane, {1e-6, {}}), 1e-4).fault.empty());
+    const std::vector<double> merge(sided.curves.size(), 0.2);
+    const StackResult dented = cell_stacks(sided, body, imprint(sided.plane, {1e-6, merge}), 1e-4);
+    CHECK_THAT(dented.fault, Catch::Contains("face 100: closer to edge"));
+    CHECK(dented.tags == std::vector<int>{100});
+    CHECK(dented.curves.size() == 3);
+    CHECK(cell_stacks(sided, body, imprint(sided.plane, {1e-6, merge}), 0.2).fault.empty());
+}

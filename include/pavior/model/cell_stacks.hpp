@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -218,13 +219,82 @@ template <extruded_geometry G>
     return {};
 }
 
+/// A point of a curve over a vertex of the arrangement.
+struct VertexMark {
+    Vec3 at;
+    Index curve;
+};
+
+/// Per vertex of the arrangement: the points of the curves through it. Where a curve ends it is its vertex.
+template <extruded_geometry G>
+[[nodiscard]] std::vector<std::vector<VertexMark>> vertex_marks(const ExtrudedBody& body, const G& geometry,
+                                                                const PlaneArrangement& plane) {
+    std::vector<std::vector<VertexMark>> result(plane.vertices.size());
+    for (Index c = 0; c < plane.routes.size(); ++c) {
+        for (std::size_t i = 0; i < plane.routes[c].size(); ++i) {
+            const OrientedPlaneEdge& use = plane.routes[c][i];
+            const Index start = plane.edges[use.edge].vertices[use.forward ? 0 : 1];
+            if (i > 0) {
+                result[start].push_back({geometry.curve_point(c, plane.vertices[start]), c});
+            }
+        }
+        for (std::size_t k = 0; k < 2; ++k) {
+            result[plane.ends[c][k]].push_back({body.vertices[body.curves[c].vertices[k]], c});
+        }
+    }
+    return result;
+}
+
+/// A curve that merged with a side must lie on it where it passes it between its bottom and its top, within \p limit:
+/// else the side would be dented.
+template <extruded_geometry G>
+[[nodiscard]] StackResult check_dents(const ExtrudedBody& body, const G& geometry, const PlaneArrangement& plane,
+                                      double limit) {
+    const std::vector<std::vector<VertexMark>> marks = vertex_marks(body, geometry, plane);
+    for (const ExtrudedSide& side : body.sides) {
+        std::vector<std::pair<Index, VertexMark>> own;  // by vertex of the arrangement
+        for (const Index c : side.curves) {
+            for (const OrientedPlaneEdge& use : plane.routes[c]) {
+                for (const Index v : plane.edges[use.edge].vertices) {
+                    for (const VertexMark& mark : marks[v]) {
+                        if (mark.curve == c) {
+                            own.emplace_back(v, mark);
+                        }
+                    }
+                }
+            }
+        }
+        std::sort(own.begin(), own.end(), [](const auto& a, const auto& b) {
+            return std::pair(a.first, a.second.at[2]) < std::pair(b.first, b.second.at[2]);
+        });
+        for (std::size_t i = 0; i + 1 < own.size(); ++i) {
+            const Vec3& low = own[i].second.at;
+            const Vec3& high = own[i + 1].second.at;
+            const double height = high[2] - low[2];
+            for (const VertexMark& mark : marks[own[i].first]) {
+                const double t = (mark.at[2] - low[2]) / height;
+                if (own[i + 1].first == own[i].first && height > limit && t > 1e-6 && t < 1 - 1e-6 &&
+                    (mark.at - (1 - t) * low - t * high).norm() > limit) {
+                    StackResult fault = side_fault(
+                        side, "closer to edge " + std::to_string(body.curves[mark.curve].tag) + " than the tolerance");
+                    fault.curves.push_back(mark.curve);
+                    return fault;
+                }
+            }
+        }
+    }
+    return {};
+}
+
 }  // namespace detail
 
 /// Finds the caps over each cell by counting the crossings of their boundaries (no geometry), orders them by their
 /// heights over one point of the cell, and checks that solids lie between them. A fault means that the merging of
-/// curves in \p plane destroyed something, or that the body is not closed. O(caps x cells + n log n).
+/// curves in \p plane destroyed something, or moved a point of a curve onto a side that it is farther from than \p
+/// dent, or that the body is not closed. O(caps x cells + n log n).
 template <extruded_geometry G>
-[[nodiscard]] StackResult cell_stacks(const ExtrudedBody& body, const G& geometry, const PlaneArrangement& plane) {
+[[nodiscard]] StackResult cell_stacks(const ExtrudedBody& body, const G& geometry, const PlaneArrangement& plane,
+                                      double dent = std::numeric_limits<double>::infinity()) {
     StackResult result;
     result.stacks.resize(plane.cells.size());
     for (Index c = 0; c < body.caps.size(); ++c) {
@@ -254,6 +324,9 @@ template <extruded_geometry G>
         }
     }
     if (StackResult fault = detail::check_sides(body, geometry, plane, result.stacks); !fault.fault.empty()) {
+        return fault;
+    }
+    if (StackResult fault = detail::check_dents(body, geometry, plane, dent); !fault.fault.empty()) {
         return fault;
     }
     return result;

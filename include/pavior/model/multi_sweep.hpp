@@ -63,6 +63,7 @@ struct ImprintedBody {
 template <extruded_geometry G, plane_imprinter I>
 [[nodiscard]] ImprintedBody imprint_body(const ExtrudedBody& body, const G& geometry, const MultiSweepOptions& options,
                                          I&& imprint) {
+    constexpr double dent = 1e-4;  // of a side, times the size
     ImprintOptions tolerances;
     tolerances.coincident = 3 * options.chord * options.size;
     tolerances.merge.assign(body.curves.size(), std::max(tolerances.coincident, options.merge * options.size));
@@ -71,7 +72,7 @@ template <extruded_geometry G, plane_imprinter I>
         StackResult stacks;
         try {
             result.plane = imprint(body.plane, tolerances);
-            stacks = cell_stacks(body, geometry, result.plane);
+            stacks = cell_stacks(body, geometry, result.plane, dent * options.size);
         } catch (const Error& error) {
             if (error.code() != ErrorCode::cad_failure) {
                 throw;
