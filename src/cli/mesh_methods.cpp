@@ -139,6 +139,9 @@ MethodTry try_method(MeshMethod method, const GmshBrep& model, std::span<const S
             case MeshMethod::multi_sweep: try_multi_sweep(model, solids, command, out_of_time, result); break;
             case MeshMethod::block: try_block(model, solids, command, result); break;
         }
+        if (!out_of_time()) {
+            improve_poor_mesh(model, command, result);
+        }
         judge(model, solids, command, result);
     } catch (const Error& error) {
         refuse(result, error);

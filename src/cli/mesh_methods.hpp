@@ -11,6 +11,10 @@ void try_multi_sweep(const GmshBrep& model, std::span<const SolidId> solids, con
                      const std::function<bool()>& out_of_time, MethodTry& result);
 void try_block(const GmshBrep& model, std::span<const SolidId> solids, const MeshCommand& command, MethodTry& result);
 
+/// Raises the least scaled Jacobian of MethodTry::data where it is low, also by sliding nodes on plane faces and along
+/// edges between such; nodes on curved faces and on vertices stay.
+void improve_poor_mesh(const GmshBrep& model, const MeshCommand& command, MethodTry& result);
+
 /// The wished length of mesh edges.
 [[nodiscard]] inline double mesh_size(const GmshBrep& model, const MeshCommand& command) {
     return command.size > 0 ? command.size : model.diagonal() / 12;
