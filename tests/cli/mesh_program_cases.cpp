@@ -146,15 +146,15 @@ TEST_CASE("mesh: the time limit strikes, and the answer says so") {
 
 TEST_CASE("mesh: an invalid mesh exits with 1 and is only written on demand") {
     const std::string mesh = scratch_file("invalid.vtu");
-    const std::string arguments =
-        "mesh " + example("mfcad/10-11-11-11-11-23.step") + " --size 3 --method submap --timeout 0 -o " + mesh;
+    const std::string arguments =  // so coarse that blocks lose a feature: the volume is 4 % too small
+        "mesh " + example("mfcad/0-5-8-19.step") + " --size 4 --method block --timeout 0 -o " + mesh;
     const ProgramRun run = run_program(arguments);
     CHECK(run.code == 1);
-    CHECK(run.err.find("inverted") != std::string::npos);
+    CHECK(run.err.find("its volume is") != std::string::npos);
     CHECK_FALSE(std::filesystem::exists(mesh));
     CHECK(run_program(arguments + " --keep-invalid").code == 1);
     REQUIRE(std::filesystem::exists(mesh));
-    CHECK(hex_quality(read_mesh(mesh).mesh).inverted > 0);
+    CHECK(verify_hexes(read_mesh(mesh).mesh).volume < 670);  // of 683.6
 }
 
 TEST_CASE("mesh: solids that share faces are meshed together, conforming") {
@@ -183,6 +183,28 @@ TEST_CASE("mesh: 27 cubes with holes, pockets and slots conform across their sha
     CHECK(verify_hexes(data.mesh).ok());
     CHECK(hex_quality(data.mesh).scaled_jacobian.min >= 0.2);
     CHECK(std::set<int>(data.hex_groups.begin(), data.hex_groups.end()).size() == 27);
+}
+
+TEST_CASE("mesh: 27 cubes whose features end on those of their neighbours conform") {
+    const std::string mesh = scratch_file("unlike.vtu");
+    const ProgramRun run =
+        run_program("mesh " + example("assembly/cubes_27_unlike.brep") + " --size 1 --quiet -o " + mesh);
+    CAPTURE(run.err);
+    REQUIRE(run.code == 0);
+    const HexMeshData data = read_mesh(mesh);
+    CHECK(verify_hexes(data.mesh).ok());
+    CHECK(hex_quality(data.mesh).scaled_jacobian.min > 0.03);  // circles touch the edges of pockets
+    CHECK(std::set<int>(data.hex_groups.begin(), data.hex_groups.end()).size() == 27);
+}
+
+TEST_CASE("mesh: a poor mesh is improved by sliding nodes on plane faces") {
+    const auto json = meshed("mfcad/10-11-11-11-11-23.step", "--size 1", 39);
+    CHECK(json["decisions"][0]["method"] == "submap");
+    const auto submap = tried(json, "submap");
+    CHECK(submap["scaled_jacobian"].get<double>() >= 0.3);
+    CHECK(submap["details"]["improvement"]["moved_nodes"].get<int>() > 0);
+    CHECK(submap["details"]["cad_volume"].get<double>() == Approx(json["mesh"]["volume"].get<double>()).epsilon(1e-12));
+    CHECK(tried(json, "block")["outcome"] == "not_tried");
 }
 
 TEST_CASE("mesh: solids apart from each other get each its own method") {
