@@ -202,8 +202,8 @@ TEST_CASE("random extruded solids are meshed") {
 }
 
 TEST_CASE("random extruded solids that once were refused or folded are meshed") {
-    // 8, 14: regions with a straight or reflex corner that no quad can span; 105: folded quads next to such a one; 132: a cell
-    // thinner than its chords
+    // 8, 14: regions with a straight or reflex corner that no quad can span; 105: folded quads next to such a one;
+    // 132: a cell thinner than its chords
     for (const unsigned seed : {8U, 14U, 105U, 132U}) {
         CAPTURE(seed);
         CHECK(try_and_print(seed) == Outcome::valid);
