@@ -49,8 +49,8 @@ std::optional<PlaneQuads> recombined_quads(const PlaneLoops& loops, double size,
 std::optional<PlaneQuads> subdivided_triangles(const PlaneLoops& loops, double size, std::size_t first = 0);
 
 /// \p quads between the loops with one more layer of quads along all loops, so that no corner of a quad has to span a
-/// straight or reflex angle of the boundary. The inner nodes of the layer lie a little inside; quads may be folded until
-/// they are smoothed.
+/// straight or reflex angle of the boundary. The inner nodes of the layer lie a little inside; quads may be folded
+/// until they are smoothed.
 PlaneQuads pillowed(const PlaneQuads& quads, const PlaneLoops& loops);
 
 /// The smallest determinant of unit edge vectors at a corner: 1 for rectangles, <= 0 for folded quads.
