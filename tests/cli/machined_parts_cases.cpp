@@ -1,0 +1,166 @@
+// Random machined parts through `pavior mesh`: a block of material with holes, pockets, slots, steps and chamfers, from
+// one side or from several. Each is meshed or refused with a reason; no mesh that is written may be wrong. With
+// PAVIOR_PARTS=first:count in the environment other seeds are tried. Each seed is printed with what came of it.
+#include "support/catch.hpp"
+#include "support/program.hpp"
+
+#include <pavior/io/mesh_file.hpp>
+#include <pavior/mesh/verify_hexes.hpp>
+
+#include <gmsh.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <numbers>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace pavior;
+using namespace pavior::test;
+
+namespace {
+
+namespace occ = gmsh::model::occ;
+
+/// Numbers on a grid of 0.05 that do not depend on the standard library.
+class Dice {
+public:
+    explicit Dice(unsigned seed) : engine_(seed) {}
+    double real(double low, double high) {
+        return std::round((low + (high - low) * static_cast<double>(engine_()) / 4294967296.0) * 20) / 20;
+    }
+    int below(int n) { return static_cast<int>(engine_() % static_cast<unsigned>(n)); }
+    bool coin() { return below(2) == 0; }
+
+private:
+    std::mt19937 engine_;
+};
+
+using Point = std::array<double, 2>;
+
+/// The outline of a feature on a side of width w; empty for a round one.
+std::vector<Point> outline(Dice& dice, double w, const Point& at) {
+    const double a = dice.real(1.5, 2.5);
+    const double b = dice.real(1.5, 2.5);
+    switch (dice.below(6)) {
+        case 0: return {at, {at[0] + a, at[1]}, {at[0] + a, at[1] + b}, {at[0], at[1] + b}};
+        case 1: return {at, {at[0] + a, at[1]}, {at[0] + a / 2, at[1] + b}};
+        case 2: {
+            std::vector<Point> hexagon;
+            for (int i = 0; i < 6; ++i) {
+                const double angle = i * std::numbers::pi / 3;
+                hexagon.push_back({at[0] + 1 + std::cos(angle), at[1] + 1 + std::sin(angle)});
+            }
+            return hexagon;
+        }
+        case 3: return {{-1, at[1]}, {w + 1, at[1]}, {w + 1, at[1] + b}, {-1, at[1] + b}};  // a slot or step
+        case 4: return {{-1, -1}, {a + 1 + a / b, -1}, {-1, b + 1 + b / a}};                // a chamfer
+        default: return {};
+    }
+}
+
+/// The material that a feature takes away, from one side of the block of \p size along an axis.
+gmsh::vectorpair feature(Dice& dice, const std::array<double, 3>& size, std::size_t axis) {
+    const std::size_t u = (axis + 1) % 3;
+    const std::size_t v = (axis + 2) % 3;
+    const double length = size[axis];
+    const bool far_side = dice.coin();
+    const bool through = dice.coin();
+    const double depth = through ? length + 1 : dice.real(1, 0.6 * length);
+    const double base = far_side ? length - depth : -1;
+    const auto place = [&](const Point& p, double height) {
+        std::array<double, 3> x{};
+        x[axis] = height;
+        x[u] = p[0];
+        x[v] = p[1];
+        return x;
+    };
+    const Point at{dice.real(1, size[u] - 3.5), dice.real(1, size[v] - 3.5)};
+    const std::array<double, 3> along = place({0, 0}, depth + 1);
+    const std::vector<Point> corners = outline(dice, size[u], at);
+    if (corners.empty()) {
+        const auto c = place({at[0] + 1, at[1] + 1}, base);
+        return {{3, occ::addCylinder(c[0], c[1], c[2], along[0], along[1], along[2], dice.real(0.5, 1))}};
+    }
+    std::vector<int> points;
+    std::vector<int> lines;
+    for (const Point& p : corners) {
+        const auto x = place(p, base);
+        points.push_back(occ::addPoint(x[0], x[1], x[2]));
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        lines.push_back(occ::addLine(points[i], points[(i + 1) % points.size()]));
+    }
+    gmsh::vectorpair out;
+    occ::extrude({{2, occ::addPlaneSurface({occ::addCurveLoop(lines)})}}, along[0], along[1], along[2], out);
+    return {out.at(1)};
+}
+
+/// Writes the part of a seed; false if the features cut it apart.
+bool write_part(unsigned seed, const std::string& file) {
+    Dice dice(seed);
+    gmsh::initialize();
+    gmsh::option::setNumber("General.Terminal", 0);
+    const std::array<double, 3> size{dice.real(8, 12), dice.real(8, 12), dice.real(6, 10)};
+    gmsh::vectorpair solid{{3, occ::addBox(0, 0, 0, size[0], size[1], size[2])}};
+    const int count = 1 + dice.below(4);
+    const bool one_side = dice.coin();
+    for (int i = 0; i < count; ++i) {
+        const std::size_t axis = one_side ? 2 : static_cast<std::size_t>(dice.below(3));
+        gmsh::vectorpair out;
+        std::vector<gmsh::vectorpair> map;
+        occ::cut(solid, feature(dice, size, axis), out, map);
+        solid = out;
+    }
+    occ::synchronize();
+    gmsh::write(file);
+    gmsh::finalize();
+    return solid.size() == 1;
+}
+
+}  // namespace
+
+TEST_CASE("random machined parts are meshed, or refused with a reason") {
+    unsigned first = 1;
+    unsigned count = 6;
+    if (const char* given = std::getenv("PAVIOR_PARTS")) {
+        const std::string text = given;
+        first = static_cast<unsigned>(std::stoul(text));
+        count = static_cast<unsigned>(std::stoul(text.substr(text.find(':') + 1)));
+    }
+    const std::string part = scratch_file("part.brep");
+    const std::string mesh = scratch_file("part.vtu");
+    const std::string report = scratch_file("part.json");
+    std::array<unsigned, 4> totals{};  // by exit code
+    for (unsigned seed = first; seed < first + count; ++seed) {
+        CAPTURE(seed);
+        if (!write_part(seed, part)) {
+            continue;
+        }
+        std::filesystem::remove(mesh);
+        const ProgramRun run =
+            run_program("mesh " + part + " --size 1 -o " + mesh + " --report " + report + " --quiet");
+        REQUIRE((run.code == 0 || run.code == 1 || run.code == 3));
+        ++totals[static_cast<std::size_t>(run.code)];
+        const auto json = json_of(report);
+        std::cerr << "part " << seed << " exit " << run.code;
+        CHECK(std::filesystem::exists(mesh) == (run.code == 0));
+        if (run.code == 0) {
+            const double jacobian = json["mesh"]["quality"]["scaled_jacobian"]["min"];
+            std::cerr << ": " << json["decisions"][0]["method"] << ", " << jacobian;
+            CHECK(jacobian > 0);
+            CHECK(verify_hexes(read_mesh(mesh).mesh).ok());
+        } else {
+            CHECK(run.err.find(run.code == 1 ? "not valid" : "not meshable") != std::string::npos);
+        }
+        std::cerr << "\n";
+    }
+    std::cerr << totals[0] << " parts meshed, " << totals[1] << " meshes not valid, " << totals[3] << " refused\n";
+    CHECK(10 * totals[0] >= 8 * (totals[0] + totals[1] + totals[3]));
+}
