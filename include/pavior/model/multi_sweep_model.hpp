@@ -5,6 +5,7 @@
 #include <pavior/mesh/quality.hpp>
 #include <pavior/model/brep_body.hpp>
 #include <pavior/model/extrusion.hpp>
+#include <pavior/model/face_distance.hpp>
 #include <pavior/model/multi_sweep.hpp>
 
 #include <algorithm>
@@ -73,6 +74,7 @@ struct MultiSweepAttempt {
     double merge = 0;    ///< MultiSweepOptions::merge
     double chord = 0;    ///< MultiSweepOptions::chord
     double quality = 0;  ///< least scaled Jacobian; meaningless with an error
+    double dent = 0;     ///< distance of the farthest boundary node from its face
     std::string error;   ///< empty: a mesh was made
     Error::Ids tags;     ///< faces that the error names
 };
@@ -84,8 +86,9 @@ struct BestMultiSweep {
 
 /// Sweeps \p solids along each direction that recognise_extrusions() finds possible, best first, with the merging
 /// tolerance of \p options, without merging, and, where that makes no mesh, with a twentieth of the chord error for
-/// very short edges, until a mesh has a least scaled Jacobian of \p sufficient; otherwise the best counts. Nothing is
-/// tried once out_of_time() is true. Callables as for multi_sweep().
+/// very short edges, until a mesh has a least scaled Jacobian of \p sufficient and no boundary node farther from its
+/// face than 1e-4 times the size; otherwise the best counts, those with nodes off their faces last. Nothing is tried
+/// once out_of_time() is true. Callables as for multi_sweep().
 /// \throws UnmeshableError not_sweepable naming faces where no direction is possible; InputError as multi_sweep()
 template <brep B, plane_imprinter I, class Solver, region_mesher M, class OutOfTime>
 [[nodiscard]] BestMultiSweep best_multi_sweep(const B& b, std::span<const SolidId> solids,
@@ -112,8 +115,11 @@ template <brep B, plane_imprinter I, class Solver, region_mesher M, class OutOfT
             try {
                 MultiSweptModel mesh = multi_sweep_model(b, solids, extrusion, own, imprint, solver, mesher, sizes);
                 attempt.quality = hex_quality(mesh.mesh).scaled_jacobian.min;
-                if (attempt.quality > best) {
-                    best = attempt.quality;
+                attempt.dent = face_distance(b, mesh.mesh.nodes, mesh.quads, mesh.quad_face).distance;
+                const bool dented = attempt.dent > 1e-4 * options.size;
+                const double rank = dented ? 0.1 * attempt.quality - 1 : attempt.quality;
+                if (rank > best) {
+                    best = rank;
                     result.mesh = std::move(mesh);
                 }
             } catch (const InputError&) {

@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// How far the boundary nodes of a mesh are from the faces that they stand for.
+
+#include <pavior/core/error.hpp>
+#include <pavior/mesh/cells.hpp>
+#include <pavior/model/brep.hpp>
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace pavior {
+
+/// The node farthest from the surface of the face that its quad lies on.
+struct FaceDistance {
+    double distance = 0.0;
+    std::size_t quad = 0;
+    Index node = 0;
+};
+
+/// \param faces  the face of each quad
+/// The first of several equal ones; zero distance without quads. O(quads), four closest points each.
+/// \throws InputError size_mismatch
+template <brep B>
+[[nodiscard]] FaceDistance face_distance(const B& body, std::span<const Vec3> nodes, std::span<const QuadCorners> quads,
+                                         std::span<const FaceId> faces) {
+    if (quads.size() != faces.size()) {
+        throw InputError(ErrorCode::size_mismatch, std::to_string(quads.size()) + " quads, but " +
+                                                       std::to_string(faces.size()) + " faces of quads");
+    }
+    FaceDistance farthest;
+    for (std::size_t q = 0; q < quads.size(); ++q) {
+        for (const Index i : quads[q]) {
+            const Vec3& x = nodes[i];
+            const double distance = (body.face_point(faces[q], body.closest_on_face(faces[q], x)) - x).norm();
+            if (distance > farthest.distance) {
+                farthest = {distance, q, i};
+            }
+        }
+    }
+    return farthest;
+}
+
+}  // namespace pavior
