@@ -35,7 +35,7 @@ std::string note_of(const MultiSweepAttempt& attempt) {
          << " sizes, chords within " << attempt.chord << ": "
          << (attempt.error.empty() ? "least scaled Jacobian " : attempt.error);
     if (attempt.error.empty()) {
-        text << attempt.quality;
+        text << attempt.quality << ", boundary nodes within " << attempt.dent << " of their faces";
     }
     return text.str();
 }
@@ -54,6 +54,7 @@ void try_multi_sweep(const GmshBrep& model, std::span<const SolidId> solids, con
         const Vec3 d = attempt.direction + Vec3::Zero();  // no -0
         Json json{{"direction", {d[0], d[1], d[2]}}, {"merge", attempt.merge}, {"chord", attempt.chord}};
         json["scaled_jacobian"] = attempt.error.empty() ? Json(attempt.quality) : Json();
+        json["face_distance"] = attempt.error.empty() ? Json(attempt.dent) : Json();
         json["error"] = attempt.error;
         json["faces"] = attempt.tags;
         result.details["attempts"].push_back(std::move(json));

@@ -163,7 +163,13 @@ Outcome try_seed(unsigned seed, std::string& text) {
             CHECK_FALSE(quality_of(best) > 0);  // what is not valid must not look so
             return Outcome::invalid;
         }
-        CHECK(report.volume == Approx(volume).epsilon(planar(model) ? 1e-9 : 0.05));  // chords of coarse cylinders
+        const double distance =
+            face_distance(model, best.mesh->mesh.nodes, best.mesh->quads, best.mesh->quad_face).distance;
+        const double error = std::abs(report.volume - volume) / volume;
+        if (distance > 1e-4 || error > (planar(model) ? 1e-9 : 0.05)) {  // chords of coarse cylinders
+            text += " volume off by " + std::to_string(error) + ", nodes off faces by " + std::to_string(distance);
+            return Outcome::invalid;
+        }
         text = std::to_string(best.mesh->mesh.hexes.size()) + " hexahedra, " + std::to_string(quality_of(best));
         return Outcome::valid;
     } catch (const UnmeshableError& error) {
@@ -203,8 +209,8 @@ TEST_CASE("random extruded solids are meshed") {
 
 TEST_CASE("random extruded solids that once were refused or folded are meshed") {
     // 8, 14: regions with a straight or reflex corner that no quad can span; 105: folded quads next to such a one;
-    // 132: a cell thinner than its chords
-    for (const unsigned seed : {8U, 14U, 105U, 132U}) {
+    // 132: a cell thinner than its chords; 35, 219, 404: merging within a face moved nodes off others
+    for (const unsigned seed : {8U, 14U, 35U, 105U, 132U, 219U, 404U}) {
         CAPTURE(seed);
         CHECK(try_and_print(seed) == Outcome::valid);
     }

@@ -111,7 +111,7 @@ template <brep B, plane_imprinter I, class Solver, region_mesher M, class OutOfT
             MultiSweepOptions own = options;
             own.merge = merge;
             own.chord *= chord;
-            MultiSweepAttempt attempt{extrusion.direction, merge, own.chord, 0, {}, {}};
+            MultiSweepAttempt attempt{extrusion.direction, merge, own.chord, 0, 0, {}, {}};
             try {
                 MultiSweptModel mesh = multi_sweep_model(b, solids, extrusion, own, imprint, solver, mesher, sizes);
                 attempt.quality = hex_quality(mesh.mesh).scaled_jacobian.min;
