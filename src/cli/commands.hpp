@@ -47,8 +47,8 @@ struct BlockCommand {
     bool keep_invalid = false;
 };
 
-/// How a solid becomes hexahedra, in the order in which `pavior mesh` tries.
-enum class MeshMethod { submap, sweep, multi_sweep, block };
+/// How solids that touch become hexahedra, in the order in which `pavior mesh` tries. mixed: each by its own method.
+enum class MeshMethod { submap, sweep, multi_sweep, mixed, block };
 
 /// Options of `pavior mesh`.
 struct MeshCommand {

@@ -114,14 +114,15 @@ void add_mesh(CLI::App& app, MeshCommand& command) {
     app.add_option("-o,--output", command.output, "mesh to write (.vtu .vtk .msh .inp)")->required();
     app.add_option("--size", command.size, "length of mesh edges; default: a twelfth of the model's diagonal")
         ->check(CLI::PositiveNumber);
-    const std::map<std::string, std::optional<MeshMethod>> methods{{"auto", std::nullopt},
-                                                                   {"submap", MeshMethod::submap},
-                                                                   {"sweep", MeshMethod::sweep},
-                                                                   {"multi-sweep", MeshMethod::multi_sweep},
-                                                                   {"block", MeshMethod::block}};
-    add_choice(app, "--method", command.method, methods,
-               "auto (default): submapping, one-to-one sweep, many-to-many sweep, blocks, until one gives a valid mesh "
-               "with scaled Jacobians of 0.2 or more, else the best of them");
+    const std::map<std::string, std::optional<MeshMethod>> methods{
+        {"auto", std::nullopt},       {"submap", MeshMethod::submap},
+        {"sweep", MeshMethod::sweep}, {"multi-sweep", MeshMethod::multi_sweep},
+        {"mixed", MeshMethod::mixed}, {"block", MeshMethod::block}};
+    add_choice(
+        app, "--method", command.method, methods,
+        "auto (default): submapping, one-to-one sweep, many-to-many sweep, mixed (touching solids each by "
+        "its own method), blocks, until one gives a valid mesh with scaled Jacobians of 0.2 or more, else the best "
+        "of them");
     app.add_option("--timeout", command.timeout,
                    "seconds a solid, default 60; 0: no limit. A method that others follow may use half of what is left")
         ->check(CLI::NonNegativeNumber);

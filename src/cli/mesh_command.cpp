@@ -7,10 +7,10 @@
 
 #include <pavior/core/error.hpp>
 #include <pavior/core/stopwatch.hpp>
+#include <pavior/model/touching_solids.hpp>
 
 #include <algorithm>
 #include <iostream>
-#include <numeric>
 #include <utility>
 
 namespace pavior::cli {
@@ -18,46 +18,6 @@ namespace pavior::cli {
 namespace {
 
 using Json = nlohmann::json;
-
-/// Solids that share a vertex, edge or face, directly or through others, in the order of the model.
-std::vector<std::vector<SolidId>> touching_solids(const GmshBrep& model) {
-    std::vector<std::size_t> root(model.solid_count());
-    std::iota(root.begin(), root.end(), std::size_t{0});
-    const auto find = [&](std::size_t s) {
-        while (root[s] != s) {
-            s = root[s] = root[root[s]];
-        }
-        return s;
-    };
-    std::vector<std::size_t> owner(model.vertex_count(), model.solid_count());
-    std::vector<std::size_t> face_owner(model.face_count(), model.solid_count());
-    const auto join = [&](std::size_t& of, std::size_t s) {
-        if (of == model.solid_count()) {
-            of = s;
-        }
-        const auto [low, high] = std::minmax({find(of), find(s)});
-        root[high] = low;
-    };
-    for (const SolidId solid : all_solids(model)) {
-        for (const OrientedFace& face : model.solid_faces(solid)) {
-            join(face_owner[face.face.index()], solid.index());
-            for (const EdgeLoop& loop : model.face_loops(face.face)) {
-                for (const OrientedEdge& use : loop) {
-                    for (const VertexId v : model.edge_vertices(use.edge)) {
-                        join(owner[v.index()], solid.index());
-                    }
-                }
-            }
-        }
-    }
-    std::vector<std::vector<SolidId>> groups(model.solid_count());
-    for (const SolidId solid : all_solids(model)) {
-        groups[find(solid.index())].push_back(solid);
-    }
-    groups.erase(std::remove_if(groups.begin(), groups.end(), [](const auto& group) { return group.empty(); }),
-                 groups.end());
-    return groups;
-}
 
 /// The meshes taken, one after the other.
 HexMeshData joined(const GmshBrep& model, std::vector<MeshDecision>& decisions) {
@@ -183,7 +143,7 @@ ExitCode run_mesh(const MeshCommand& command) {
     report(progress, "reading", 0);
     const GmshBrep model = GmshBrep::load(command.input);
     std::vector<MeshDecision> decisions;
-    const std::vector<std::vector<SolidId>> groups = touching_solids(model);
+    const std::vector<std::vector<SolidId>> groups = touching_solids(model, all_solids(model));
     for (const std::vector<SolidId>& solids : groups) {
         report(progress, solids_text(model, solids),
                static_cast<double>(decisions.size()) / static_cast<double>(groups.size()));

@@ -16,8 +16,8 @@ using Json = nlohmann::json;
 using Outcome = MethodTry::Outcome;
 
 constexpr double sufficient_jacobian = 0.2;
-constexpr std::array<MeshMethod, 4> all_methods{MeshMethod::submap, MeshMethod::sweep, MeshMethod::multi_sweep,
-                                                MeshMethod::block};
+constexpr std::array<MeshMethod, 5> all_methods{MeshMethod::submap, MeshMethod::sweep, MeshMethod::multi_sweep,
+                                                MeshMethod::mixed, MeshMethod::block};
 
 /// A valid mesh is better than an invalid one, then the least scaled Jacobian counts.
 bool better(const MethodTry& a, const MethodTry& b) {
@@ -99,6 +99,9 @@ MeshDecision decide(const GmshBrep& model, std::vector<SolidId> solids, const Me
         const bool enough = result.valid() && result.tries[*result.taken].min_jacobian >= sufficient_jacobian;
         const double left = limit - watch.total();
         if (command.method && *command.method != method) {
+            continue;
+        }
+        if (method == MeshMethod::mixed && result.solids.size() == 1 && !command.method) {
             continue;
         }
         if (enough) {

@@ -110,6 +110,7 @@ std::string_view to_string(MeshMethod method) {
         case MeshMethod::submap: return "submap";
         case MeshMethod::sweep: return "sweep";
         case MeshMethod::multi_sweep: return "multi-sweep";
+        case MeshMethod::mixed: return "mixed";
         case MeshMethod::block: return "block";
     }
     return "unknown";
@@ -137,6 +138,7 @@ MethodTry try_method(MeshMethod method, const GmshBrep& model, std::span<const S
             case MeshMethod::submap: try_submap(model, solids, command, result); break;
             case MeshMethod::sweep: try_sweep(model, solids, command, result); break;
             case MeshMethod::multi_sweep: try_multi_sweep(model, solids, command, out_of_time, result); break;
+            case MeshMethod::mixed: try_mixed(model, solids, command, out_of_time, result); break;
             case MeshMethod::block: try_block(model, solids, command, result); break;
         }
         if (!out_of_time()) {

@@ -9,6 +9,8 @@ void try_submap(const GmshBrep& model, std::span<const SolidId> solids, const Me
 void try_sweep(const GmshBrep& model, std::span<const SolidId> solids, const MeshCommand& command, MethodTry& result);
 void try_multi_sweep(const GmshBrep& model, std::span<const SolidId> solids, const MeshCommand& command,
                      const std::function<bool()>& out_of_time, MethodTry& result);
+void try_mixed(const GmshBrep& model, std::span<const SolidId> solids, const MeshCommand& command,
+               const std::function<bool()>& out_of_time, MethodTry& result);
 void try_block(const GmshBrep& model, std::span<const SolidId> solids, const MeshCommand& command, MethodTry& result);
 
 /// Raises the least scaled Jacobian of MethodTry::data where it is low, also by sliding nodes on plane faces and along

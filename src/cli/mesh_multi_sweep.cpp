@@ -35,7 +35,7 @@ std::string note_of(const MultiSweepAttempt& attempt) {
          << " sizes, chords within " << attempt.chord << ": "
          << (attempt.error.empty() ? "least scaled Jacobian " : attempt.error);
     if (attempt.error.empty()) {
-        text << attempt.quality << ", boundary nodes within " << attempt.dent << " of their faces";
+        text << attempt.quality << ", boundary nodes within " << attempt.face_distance << " of their faces";
     }
     return text.str();
 }
@@ -54,20 +54,14 @@ void try_multi_sweep(const GmshBrep& model, std::span<const SolidId> solids, con
         const Vec3 d = attempt.direction + Vec3::Zero();  // no -0
         Json json{{"direction", {d[0], d[1], d[2]}}, {"merge", attempt.merge}, {"chord", attempt.chord}};
         json["scaled_jacobian"] = attempt.error.empty() ? Json(attempt.quality) : Json();
-        json["face_distance"] = attempt.error.empty() ? Json(attempt.dent) : Json();
+        json["face_distance"] = attempt.error.empty() ? Json(attempt.face_distance) : Json();
         json["error"] = attempt.error;
         json["faces"] = attempt.tags;
         result.details["attempts"].push_back(std::move(json));
         result.notes.push_back(note_of(attempt));
     }
     if (!best.mesh) {
-        if (best.attempts.empty()) {
-            throw UnmeshableError(ErrorCode::not_sweepable, "no time was left to try a direction");
-        }
-        const MultiSweepAttempt& first = best.attempts.front();
-        const std::size_t colon = first.error.find(": ");
-        throw UnmeshableError(ErrorCode::not_sweepable,
-                              colon == std::string::npos ? first.error : first.error.substr(colon + 2), first.tags);
+        throw no_mesh_error(best);
     }
     result.details["direction"] = {best.mesh->direction[0], best.mesh->direction[1], best.mesh->direction[2]};
     result.details["report"] = to_json(best.mesh->report);

@@ -1,4 +1,5 @@
 #include "grouped.hpp"
+#include "refining.hpp"
 #include "swept.hpp"
 
 #include <pavior/cad/cap_mesh.hpp>
@@ -7,8 +8,6 @@
 #include <pavior/model/intervals.hpp>
 #include <pavior/model/recognition.hpp>
 #include <pavior/model/sweep_model.hpp>
-
-#include <sstream>
 
 namespace pavior::cli {
 
@@ -162,28 +161,6 @@ Attempt attempt(const GmshBrep& model, const std::vector<SweepTopology>& sweeps,
     return result;
 }
 
-/// A cap between very few nodes may admit no quads that are not folded: then the edges are divided more finely, a few
-/// times, and the user is told.
-Attempt attempt_refining(const GmshBrep& model, const std::vector<SweepTopology>& sweeps, const SweepCommand& command,
-                         const Progress& progress, std::vector<std::string>& warnings) {
-    constexpr int tries = 8;
-    IntervalOptions wishes = interval_options(model, command);
-    for (int i = 1;; ++i) {
-        try {
-            return attempt(model, sweeps, command, wishes, progress);
-        } catch (const Error& error) {
-            if (error.code() != ErrorCode::cad_failure || i == tries) {
-                throw;
-            }
-            wishes.size *= 0.7;
-            wishes.min_loop = 8;
-            std::ostringstream text;
-            text << error.what() << "; tried again with size " << wishes.size;
-            warnings.push_back(text.str());
-        }
-    }
-}
-
 }  // namespace
 
 Swept sweep_cad_model(const GmshBrep& model, std::span<const SolidId> solids, const SweepCommand& command,
@@ -191,7 +168,12 @@ Swept sweep_cad_model(const GmshBrep& model, std::span<const SolidId> solids, co
     report(progress, "recognition", 0);
     const std::vector<SweepTopology> sweeps = recognise(model, solids, command);
     Swept swept;
-    Attempt result = attempt_refining(model, sweeps, command, progress, swept.warnings);
+    IntervalOptions wishes = interval_options(model, command);
+    Attempt result = with_finer_sizes(wishes.size, swept.warnings, [&](double size, int min_loop) {
+        wishes.size = size;
+        wishes.min_loop = min_loop;
+        return attempt(model, sweeps, command, wishes, progress);
+    });
     swept.report = to_json(model, result.mesh, result.intervals);
     warn(model, result.mesh, result.intervals, swept.warnings);
     swept.data = grouped(model, solids, result.mesh);

@@ -30,6 +30,21 @@ TEST_CASE("given parameters place the nodes of an edge") {
     CHECK(mesh.nodes[mesh.edges[e.index()].nodes[1]][0] == Approx(1.0));
 }
 
+TEST_CASE("edges and vertices that are meshed already stay") {
+    test::TestBrep b;
+    test::add_prism(b, test::rectangle(2, 1), 0, 1);
+    BoundaryMesh given = mesh_edges(b, std::vector<int>{5});
+    const EdgeNodes first = given.edges[0];
+    const BoundaryMesh mesh = mesh_edges(b, std::vector<int>(b.edge_count(), 3), {}, std::move(given));
+    CHECK(mesh.edges[0].nodes == first.nodes);
+    CHECK(mesh.nodes.size() == 8 + 4 + 11 * 2);
+    for (std::size_t e = 0; e < b.edge_count(); ++e) {
+        const auto ends = b.edge_vertices(EdgeId{static_cast<std::int32_t>(e)});
+        CHECK(mesh.edges[e].nodes.front() == mesh.vertices[ends[0].index()]);
+        CHECK(mesh.edges[e].nodes.back() == mesh.vertices[ends[1].index()]);
+    }
+}
+
 TEST_CASE("chains are read in their own sense; a seam has two sides") {
     test::TestBrep b;
     test::add_cylinder(b, 1, 1, 2);

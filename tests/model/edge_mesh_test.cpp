@@ -55,3 +55,18 @@ TEST_CASE("edges of varying speed are cut at equal arc length, their ends exactl
     const std::vector<double> given = edge_parameters(b, EdgeId{0}, std::vector<double>{0, 0.1, 1});
     CHECK(b.edge_point(EdgeId{0}, given[1])[0] == Approx(0.3).margin(3e-4));
 }
+
+TEST_CASE("the closest parameter of an edge") {
+    test::TestBrep b;
+    const EdgeId circle = test::add_circle(b, 2.0, 0.0).e;
+    for (const double t : {0.1, 1.7, 3.2, 6.2}) {
+        const Vec3 x = b.edge_point(circle, t);
+        CHECK(closest_on_edge(b, circle, x) == Approx(t).epsilon(1e-14));
+        CHECK(closest_on_edge(b, circle, 0.9 * x) == Approx(t).epsilon(1e-12));
+    }
+    const EdgeId line = b.line(b.vertex({0, 0, 0}), b.vertex({4, 0, 0}));
+    CHECK(closest_on_edge(b, line, Vec3(3, 2, 0)) == Approx(0.75).epsilon(1e-14));
+    CHECK(closest_on_edge(b, line, Vec3(5, 2, 0)) == 1.0);  // the ends are the last points
+    CHECK(closest_on_edge(b, line, Vec3(-1, 2, 0)) == 0.0);
+    CHECK(closest_on_edge(Accelerating{}, EdgeId{0}, Vec3(0.6, 0, 0)) == Approx((std::sqrt(5.8) - 1) / 4));
+}

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -53,11 +54,11 @@ struct BoundaryMesh {
 
 /// Meshes every edge whose entry of \p intervals (by edge id) is positive. Nodes lie at equal arc length, or where
 /// \p parameters (by edge id) holds any for the edge, at these: ascending over its range, one more than the intervals.
+/// Adds to \p mesh, what is meshed there stays.
 template <brep B>
 [[nodiscard]] BoundaryMesh mesh_edges(const B& b, std::span<const int> intervals,
-                                      std::span<const std::vector<double>> parameters = {}) {
-    BoundaryMesh mesh;
-    mesh.vertices.assign(b.vertex_count(), no_node);
+                                      std::span<const std::vector<double>> parameters = {}, BoundaryMesh mesh = {}) {
+    mesh.vertices.resize(b.vertex_count(), no_node);
     mesh.edges.resize(b.edge_count());
     mesh.faces.resize(b.face_count());
     const auto vertex = [&](VertexId v) {
@@ -68,11 +69,11 @@ template <brep B>
         return at;
     };
     for (std::size_t i = 0; i < intervals.size(); ++i) {
-        if (intervals[i] <= 0) {
+        EdgeNodes& edge = mesh.edges[i];
+        if (intervals[i] <= 0 || !edge.nodes.empty()) {
             continue;
         }
         const EdgeId e{static_cast<std::int32_t>(i)};
-        EdgeNodes& edge = mesh.edges[i];
         const bool given = !parameters.empty() && !parameters[i].empty();
         edge.parameters = given ? parameters[i] : edge_parameters(b, e, equal_fractions(intervals[i]));
         const auto ends = b.edge_vertices(e);
@@ -109,5 +110,31 @@ template <brep B>
     }
     return result;
 }
+
+namespace detail {
+
+/// Numbers nodes in the order in which they are first used, after the first \p kept ones, which keep their numbers.
+class Renumbering {
+public:
+    Renumbering(const BoundaryMesh& mesh, std::vector<Vec3>& nodes, std::size_t kept = 0) : mesh_(mesh), nodes_(nodes) {
+        nodes_.assign(mesh.nodes.begin(), mesh.nodes.begin() + static_cast<std::ptrdiff_t>(kept));
+        number_.assign(mesh.nodes.size(), no_node);
+        std::iota(number_.begin(), number_.begin() + static_cast<std::ptrdiff_t>(kept), Index{0});
+    }
+    Index operator()(Index id) {
+        if (number_[id] == no_node) {
+            number_[id] = static_cast<Index>(nodes_.size());
+            nodes_.push_back(mesh_.nodes[id]);
+        }
+        return number_[id];
+    }
+
+private:
+    const BoundaryMesh& mesh_;
+    std::vector<Vec3>& nodes_;
+    std::vector<Index> number_;
+};
+
+}  // namespace detail
 
 }  // namespace pavior

@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace pavior {
 
@@ -20,7 +22,8 @@ struct FaceDistance {
 };
 
 /// \param faces  the face of each quad
-/// The first of several equal ones; zero distance without quads. O(quads), four closest points each.
+/// The first of several equal ones; zero distance without quads. O(quads); one closest point a node where the quads of a
+/// face come one after the other.
 /// \throws InputError size_mismatch
 template <brep B>
 [[nodiscard]] FaceDistance face_distance(const B& body, std::span<const Vec3> nodes, std::span<const QuadCorners> quads,
@@ -30,8 +33,12 @@ template <brep B>
                                                        std::to_string(faces.size()) + " faces of quads");
     }
     FaceDistance farthest;
+    std::vector<FaceId> seen(nodes.size());
     for (std::size_t q = 0; q < quads.size(); ++q) {
         for (const Index i : quads[q]) {
+            if (std::exchange(seen[i], faces[q]) == faces[q]) {
+                continue;
+            }
             const Vec3& x = nodes[i];
             const double distance = (body.face_point(faces[q], body.closest_on_face(faces[q], x)) - x).norm();
             if (distance > farthest.distance) {

@@ -37,6 +37,9 @@ template <brep B, plane_imprinter I, class Solver, region_mesher M>
                                                 M&& mesher, const LocalSizes& sizes = {}) {
     const BrepBody<B> body(b, solids, extrusion, options.chord * options.size,
                            std::max(options.merge, 0.1) * options.size, sizes);
+    if (body.body().caps.empty()) {
+        throw UnmeshableError(ErrorCode::not_sweepable, "no face is a cap");
+    }
     MultiSweepMesh swept = multi_sweep(body.body(), body, options, imprint, solver, mesher);
     MultiSweptModel result;
     result.mesh = std::move(swept.mesh);
@@ -71,12 +74,12 @@ template <brep B, plane_imprinter I, class Solver, region_mesher M>
 /// One way to sweep and what came of it.
 struct MultiSweepAttempt {
     Vec3 direction = Vec3::UnitZ();
-    double merge = 0;    ///< MultiSweepOptions::merge
-    double chord = 0;    ///< MultiSweepOptions::chord
-    double quality = 0;  ///< least scaled Jacobian; meaningless with an error
-    double dent = 0;     ///< distance of the farthest boundary node from its face
-    std::string error;   ///< empty: a mesh was made
-    Error::Ids tags;     ///< faces that the error names
+    double merge = 0;          ///< MultiSweepOptions::merge
+    double chord = 0;          ///< MultiSweepOptions::chord
+    double quality = 0;        ///< least scaled Jacobian; meaningless with an error
+    double face_distance = 0;  ///< of the boundary node farthest from its face
+    std::string error;         ///< empty: a mesh was made
+    Error::Ids tags;           ///< faces that the error names
 };
 
 struct BestMultiSweep {
@@ -86,9 +89,9 @@ struct BestMultiSweep {
 
 /// Sweeps \p solids along each direction that recognise_extrusions() finds possible, best first, with the merging
 /// tolerance of \p options, without merging, and, where that makes no mesh, with a twentieth of the chord error for
-/// very short edges, until a mesh has a least scaled Jacobian of \p sufficient and no boundary node farther from its
-/// face than 1e-4 times the size; otherwise the best counts, those with nodes off their faces last. Nothing is tried
-/// once out_of_time() is true. Callables as for multi_sweep().
+/// very short edges, until a mesh has a least scaled Jacobian of \p sufficient; otherwise the best counts. A mesh with a
+/// boundary node farther from its face than 1e-4 times the size is none. Nothing is tried once out_of_time() is true.
+/// Callables as for multi_sweep().
 /// \throws UnmeshableError not_sweepable naming faces where no direction is possible; InputError as multi_sweep()
 template <brep B, plane_imprinter I, class Solver, region_mesher M, class OutOfTime>
 [[nodiscard]] BestMultiSweep best_multi_sweep(const B& b, std::span<const SolidId> solids,
@@ -114,12 +117,19 @@ template <brep B, plane_imprinter I, class Solver, region_mesher M, class OutOfT
             MultiSweepAttempt attempt{extrusion.direction, merge, own.chord, 0, 0, {}, {}};
             try {
                 MultiSweptModel mesh = multi_sweep_model(b, solids, extrusion, own, imprint, solver, mesher, sizes);
+                const FaceDistance off = face_distance(b, mesh.mesh.nodes, mesh.quads, mesh.quad_face);
+                if (off.distance > 1e-4 * options.size) {
+                    const int tag = b.tag(2, mesh.quad_face[off.quad].index());
+                    throw UnmeshableError(ErrorCode::not_sweepable,
+                                          "a node of face " + std::to_string(tag) + " would lie " +
+                                              std::to_string(off.distance) +
+                                              " away from it, to keep clear of other faces nearby",
+                                          {tag});
+                }
+                attempt.face_distance = off.distance;
                 attempt.quality = hex_quality(mesh.mesh).scaled_jacobian.min;
-                attempt.dent = face_distance(b, mesh.mesh.nodes, mesh.quads, mesh.quad_face).distance;
-                const bool dented = attempt.dent > 1e-4 * options.size;
-                const double rank = dented ? 0.1 * attempt.quality - 1 : attempt.quality;
-                if (rank > best) {
-                    best = rank;
+                if (attempt.quality > best) {
+                    best = attempt.quality;
                     result.mesh = std::move(mesh);
                 }
             } catch (const InputError&) {
@@ -132,6 +142,17 @@ template <brep B, plane_imprinter I, class Solver, region_mesher M, class OutOfT
         }
     }
     return result;
+}
+
+/// Why there is no mesh: what the first attempt says.
+[[nodiscard]] inline UnmeshableError no_mesh_error(const BestMultiSweep& best) {
+    if (best.attempts.empty()) {
+        return {ErrorCode::not_sweepable, "no time was left to try a direction"};
+    }
+    const MultiSweepAttempt& first = best.attempts.front();
+    const std::size_t colon = first.error.find(": ");
+    return {ErrorCode::not_sweepable, colon == std::string::npos ? first.error : first.error.substr(colon + 2),
+            first.tags};
 }
 
 }  // namespace pavior

@@ -4,6 +4,7 @@
 
 #include <pavior/core/progress.hpp>
 #include <pavior/mesh/span_mesh.hpp>
+#include <pavior/model/match_quads.hpp>
 #include <pavior/model/submap_intervals.hpp>
 #include <pavior/model/submap_recognition.hpp>
 #include <pavior/model/submap_solid.hpp>
@@ -12,6 +13,8 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace pavior {
@@ -71,8 +74,43 @@ template <brep B>
     return result;
 }
 
-/// Meshes the faces of all solids of \p submaps that are not meshed yet, each once. The edges must be meshed.
-/// \return by face id; nothing for faces of no solid
+namespace detail {
+
+/// Gives the nodes of \p given to the structured mesh of \p f, if the two are one mesh.
+template <brep B>
+void adopt_mesh(const B& b, BoundaryMesh& mesh, FaceId f, const FaceMesh& given) {
+    FaceMesh& own = mesh.faces[f.index()];
+    std::vector<std::pair<Index, Index>> position;
+    for (std::size_t i = 0; i < given.nodes.size(); ++i) {
+        position.emplace_back(given.nodes[i], static_cast<Index>(i));
+    }
+    std::sort(position.begin(), position.end());
+    std::vector<std::pair<Index, Index>> seed;
+    for (std::size_t i = 0; i < own.nodes.size(); ++i) {
+        const auto at = std::lower_bound(position.begin(), position.end(), std::pair(own.nodes[i], Index{0}));
+        if (at != position.end() && at->first == own.nodes[i]) {
+            seed.emplace_back(static_cast<Index>(i), at->second);
+        }
+    }
+    const auto match = match_quads(own.quads, given.quads, own.nodes.size(), seed);
+    if (!match) {
+        const int tag = b.tag(2, f.index());
+        throw UnmeshableError(
+            ErrorCode::not_submappable,
+            "face " + std::to_string(tag) + ": the quads that the solid on its other side has made are not structured",
+            {tag});
+    }
+    for (std::size_t i = 0; i < own.nodes.size(); ++i) {
+        own.nodes[i] = given.nodes[(*match)[i]];
+        own.uv[i] = given.uv[(*match)[i]];
+    }
+}
+
+}  // namespace detail
+
+/// Meshes the faces of all solids of \p submaps, each once. The edges must be meshed. A face that is meshed already keeps
+/// its nodes. \return by face id; nothing for faces of no solid
+/// \throws UnmeshableError not_submappable naming a face that is meshed already, but not with this structure
 template <brep B>
 [[nodiscard]] std::vector<std::optional<SubmapFace>> mesh_submap_faces(const B& b, BoundaryMesh& mesh,
                                                                        const SubmapModel& submaps,
@@ -82,12 +120,41 @@ template <brep B>
         for (const LogicalSide& side : solid.sides) {
             const FaceId f = side.face.face;
             if (!faces[f.index()]) {
+                const FaceMesh given = std::exchange(mesh.faces[f.index()], {});
                 faces[f.index()] = mesh_submap_face(b, mesh, f, submaps.faces[f.index()], numbers, repair);
+                if (!given.empty()) {
+                    detail::adopt_mesh(b, mesh, f, given);
+                }
             }
         }
     }
     return faces;
 }
+
+namespace detail {
+
+/// Appends the hexahedra of one solid, nodes in the order of its lattice, and a report to \p reports.
+template <class Result>
+void append_submap(Result& result, const SubmapTopology& topology, const SubmapSolid& solid, Renumbering& number,
+                   std::vector<SubmapSolidReport>& reports) {
+    reports.push_back({topology.solid, result.mesh.hexes.size(), solid.hexes.size(), solid.low, solid.high,
+                       topology.deviation, solid.smooth});
+    std::vector<Index> ids;
+    ids.reserve(solid.nodes.size());
+    for (const Index node : solid.nodes) {
+        ids.push_back(number(node));
+    }
+    for (const HexCorners& hex : solid.hexes) {
+        HexCorners corners{};
+        for (std::size_t c = 0; c < corners.size(); ++c) {
+            corners[c] = ids[hex[c]];
+        }
+        result.mesh.hexes.push_back(corners);
+        result.hex_solid.push_back(topology.solid);
+    }
+}
+
+}  // namespace detail
 
 /// Meshes the solids of \p submaps (recognise_submaps()) with the numbers of assign_submap_intervals(): edges, faces,
 /// inner nodes. Entities own their nodes, so the result conforms across shared faces. The result is not verified; use
@@ -103,33 +170,17 @@ template <brep B>
     report(options.progress, "faces", 0.05);
     const std::vector<std::optional<SubmapFace>> faces =
         mesh_submap_faces(b, mesh, submaps, numbers, options.solid.smooth);
-    std::vector<Index> number(mesh.nodes.size(), no_node);
-    const auto renumber = [&](Index id) {
-        number.resize(mesh.nodes.size(), no_node);
-        if (number[id] == no_node) {
-            number[id] = static_cast<Index>(result.mesh.nodes.size());
-            result.mesh.nodes.push_back(mesh.nodes[id]);
-        }
-        return number[id];
-    };
-    for (std::size_t s = 0; s < submaps.solids.size(); ++s) {
+    std::vector<SubmapSolid> solids;
+    for (const SubmapTopology& topology : submaps.solids) {
         report(options.progress, "solids",
-               0.3 + 0.7 * static_cast<double>(s) / static_cast<double>(submaps.solids.size()));
-        const SubmapTopology& topology = submaps.solids[s];
-        const SubmapSolid solid = submap_solid(b, mesh, submaps, topology, numbers, faces, options.solid);
-        result.solids.push_back({topology.solid, result.mesh.hexes.size(), solid.hexes.size(), solid.low, solid.high,
-                                 topology.deviation, solid.smooth});
-        for (const Index node : solid.nodes) {
-            (void)renumber(node);
-        }
-        for (const HexCorners& hex : solid.hexes) {
-            HexCorners corners{};
-            for (std::size_t c = 0; c < corners.size(); ++c) {
-                corners[c] = number[solid.nodes[hex[c]]];
-            }
-            result.mesh.hexes.push_back(corners);
-            result.hex_solid.push_back(topology.solid);
-            result.hex_lattice.push_back(solid.lattice[hex[0]]);
+               0.3 + 0.7 * static_cast<double>(solids.size()) / static_cast<double>(submaps.solids.size()));
+        solids.push_back(submap_solid(b, mesh, submaps, topology, numbers, faces, options.solid));
+    }
+    detail::Renumbering number(mesh, result.mesh.nodes);
+    for (std::size_t s = 0; s < solids.size(); ++s) {
+        detail::append_submap(result, submaps.solids[s], solids[s], number, result.solids);
+        for (const HexCorners& hex : solids[s].hexes) {
+            result.hex_lattice.push_back(solids[s].lattice[hex[0]]);
         }
     }
     for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -140,8 +191,7 @@ template <brep B>
         result.faces.push_back({id, faces[f]->folded_harmonic, faces[f]->folded});
         for (const QuadCorners& q : mesh.faces[f].quads) {
             const std::vector<Index>& ids = mesh.faces[f].nodes;
-            result.quads.push_back(
-                {renumber(ids[q[0]]), renumber(ids[q[1]]), renumber(ids[q[2]]), renumber(ids[q[3]])});
+            result.quads.push_back({number(ids[q[0]]), number(ids[q[1]]), number(ids[q[2]]), number(ids[q[3]])});
             result.quad_face.push_back(id);
         }
     }

@@ -7,6 +7,7 @@
 #include <pavior/model/cap_order.hpp>
 #include <pavior/model/mesh_linking_side.hpp>
 #include <pavior/model/rib_parameters.hpp>
+#include <pavior/model/structure_side.hpp>
 #include <pavior/model/sweep_solid.hpp>
 
 #include <cstddef>
@@ -48,26 +49,6 @@ struct ModelMesh {
 
 namespace detail {
 
-/// Numbers nodes in the order in which they are first used.
-class Renumbering {
-public:
-    Renumbering(const BoundaryMesh& mesh, std::vector<Vec3>& nodes) : mesh_(mesh), nodes_(nodes) {
-        number_.assign(mesh.nodes.size(), no_node);
-    }
-    Index operator()(Index id) {
-        if (number_[id] == no_node) {
-            number_[id] = static_cast<Index>(nodes_.size());
-            nodes_.push_back(mesh_.nodes[id]);
-        }
-        return number_[id];
-    }
-
-private:
-    const BoundaryMesh& mesh_;
-    std::vector<Vec3>& nodes_;
-    std::vector<Index> number_;
-};
-
 /// Appends the hexahedra of one solid.
 inline void append_solid(ModelMesh& result, const SolidMesh& solid, SolidId id, Renumbering& number) {
     std::vector<Index> ids;
@@ -86,8 +67,13 @@ inline void append_solid(ModelMesh& result, const SolidMesh& solid, SolidId id, 
     }
 }
 
-inline void append_faces(ModelMesh& result, const BoundaryMesh& mesh, Renumbering& number) {
+/// Appends the meshes of the faces, but for those for which left_out(face) is true.
+template <class LeftOut>
+void append_faces(ModelMesh& result, const BoundaryMesh& mesh, Renumbering& number, LeftOut&& left_out) {
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        if (left_out(FaceId{static_cast<std::int32_t>(f)})) {
+            continue;
+        }
         for (const QuadCorners& q : mesh.faces[f].quads) {
             const std::vector<Index>& ids = mesh.faces[f].nodes;
             result.quads.push_back({number(ids[q[0]]), number(ids[q[1]]), number(ids[q[2]]), number(ids[q[3]])});
@@ -96,18 +82,54 @@ inline void append_faces(ModelMesh& result, const BoundaryMesh& mesh, Renumberin
     }
 }
 
-/// Meshes the linking sides of all sweeps, each face once.
+/// Meshes the linking sides of all sweeps, each face once; those meshed already are put in rows and columns.
 template <brep B>
 void mesh_linking_sides(const B& b, BoundaryMesh& mesh, std::span<const SweepTopology> sweeps, bool smooth,
                         ModelMesh& result) {
     for (const SweepTopology& sweep : sweeps) {
         for (const std::vector<LinkingSide>& loop : sweep.loops) {
             for (const LinkingSide& side : loop) {
-                if (mesh.faces[side.face.index()].empty()) {
+                const FaceMesh& face = mesh.faces[side.face.index()];
+                if (face.empty()) {
                     result.sides.push_back(mesh_linking_side(b, mesh, side, smooth));
+                } else if (!face.structured()) {
+                    (void)structure_side(mesh, side, b.face_period(side.face));  // side_ids() complains
                 }
             }
         }
+    }
+}
+
+/// Meshes the caps and the inside of all sweeps, shared caps once. Edges and linking sides must be meshed.
+template <brep B, class M>
+[[nodiscard]] std::vector<SolidMesh> mesh_sweeps(const B& b, BoundaryMesh& mesh, std::span<const SweepTopology> sweeps,
+                                                 std::span<const int> intervals, M&& mesher,
+                                                 const ModelSweepOptions& options, ModelMesh& result) {
+    const auto meshed = [&](FaceId f) { return !mesh.faces[f.index()].empty(); };
+    const std::vector<SweepStep> steps = cap_order(sweeps, meshed);
+    std::vector<SolidMesh> solids;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const double done = 0.2 + 0.8 * static_cast<double>(i) / static_cast<double>(steps.size());
+        const SweepTopology& given = sweeps[steps[i].sweep];
+        const SweepTopology sweep = steps[i].backwards ? reversed(given) : given;
+        if (!meshed(sweep.source)) {
+            report(options.progress, "caps", done);
+            mesh_cap_face(b, mesh, sweep.source, mesher);
+        }
+        report(options.progress, "layers", done);
+        SolidMesh solid = sweep_solid(b, mesh, sweep, intervals, options.solid);
+        result.solids.push_back({sweep.solid, sweep.source, sweep.target, 0, solid.layers * solid.quads.size(),
+                                 solid.layers, solid.sweep, solid.target, solid.smooth});
+        solids.push_back(std::move(solid));
+    }
+    return solids;
+}
+
+/// Appends the hexahedra of all sweeps in the order of meshing.
+inline void append_sweeps(ModelMesh& result, std::span<const SolidMesh> solids, Renumbering& number) {
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+        result.solids[i].first_hex = result.mesh.hexes.size();
+        append_solid(result, solids[i], result.solids[i].solid, number);
     }
 }
 
@@ -131,29 +153,10 @@ template <brep B, cap_mesher M>
     BoundaryMesh mesh = mesh_edges(b, intervals, parameters);
     report(options.progress, "linking sides", 0.05);
     detail::mesh_linking_sides(b, mesh, sweeps, options.solid.smooth, result);
-    const auto meshed = [&](FaceId f) { return !mesh.faces[f.index()].empty(); };
-    const std::vector<SweepStep> steps = cap_order(sweeps, meshed);
-    std::vector<SolidMesh> solids;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-        const double done = 0.2 + 0.8 * static_cast<double>(i) / static_cast<double>(steps.size());
-        const SweepTopology& given = sweeps[steps[i].sweep];
-        const SweepTopology sweep = steps[i].backwards ? reversed(given) : given;
-        if (!meshed(sweep.source)) {
-            report(options.progress, "caps", done);
-            mesh_cap_face(b, mesh, sweep.source, mesher);
-        }
-        report(options.progress, "layers", done);
-        SolidMesh solid = sweep_solid(b, mesh, sweep, intervals, options.solid);
-        result.solids.push_back({sweep.solid, sweep.source, sweep.target, 0, solid.layers * solid.quads.size(),
-                                 solid.layers, solid.sweep, solid.target, solid.smooth});
-        solids.push_back(std::move(solid));
-    }
+    const std::vector<SolidMesh> solids = detail::mesh_sweeps(b, mesh, sweeps, intervals, mesher, options, result);
     detail::Renumbering number(mesh, result.mesh.nodes);
-    for (std::size_t i = 0; i < solids.size(); ++i) {
-        result.solids[i].first_hex = result.mesh.hexes.size();
-        detail::append_solid(result, solids[i], result.solids[i].solid, number);
-    }
-    detail::append_faces(result, mesh, number);
+    detail::append_sweeps(result, solids, number);
+    detail::append_faces(result, mesh, number, [](FaceId) { return false; });
     report(options.progress, "done", 1);
     return result;
 }
