@@ -226,6 +226,32 @@ TEST_CASE("mesh: solids apart from each other get each its own method") {
     CHECK(std::set<int>(data.quad_groups.begin(), data.quad_groups.end()).size() == 9);
 }
 
+TEST_CASE("mesh: touching solids that no one method takes get each its own, and conform") {
+    const std::string mesh = scratch_file("mixed.vtu");
+    const std::string report = scratch_file("mixed.json");
+    const ProgramRun run = run_program("mesh " + example("assembly/mixed_methods.brep") + " --size 0.7 --explain -o " +
+                                       mesh + " --report " + report);
+    CAPTURE(run.err);
+    REQUIRE(run.code == 0);
+    const auto json = json_of(report);
+    for (const char* method : {"submap", "sweep", "multi-sweep"}) {
+        const auto& tries = json["decisions"][0]["tries"];
+        CHECK(std::any_of(tries.begin(), tries.end(),
+                          [&](const auto& one) { return one["method"] == method && one["outcome"] == "refused"; }));
+    }
+    CHECK(json["decisions"][0]["method"] == "mixed");
+    CHECK(run.out.find("solid 1: multi-sweep") != std::string::npos);
+    CHECK(run.out.find("solid 2: submap") != std::string::npos);
+    CHECK(run.out.find("solid 3: sweep") != std::string::npos);
+    CHECK(run.out.find("solid 4: sweep") != std::string::npos);
+    const HexMeshData data = read_mesh(mesh);
+    CHECK(verify_hexes(data.mesh).ok());
+    CHECK(hex_quality(data.mesh).scaled_jacobian.min > 0.2);
+    CHECK(std::set<int>(data.hex_groups.begin(), data.hex_groups.end()) == std::set<int>{1, 2, 3, 4});
+    CHECK(run_program("mesh " + example("mfcad/0-1-13-19.step") + " --size 2 --quiet --method mixed -o " + mesh).code ==
+          0);
+}
+
 TEST_CASE("mesh: twice the same bytes, whatever the threads") {
     const std::string arguments = "mesh " + example("mfcad/9-12-19.step") + " --size 1.5 --quiet -o ";
     REQUIRE(run_program(arguments + scratch_file("a.vtu") + " --threads 1").code == 0);

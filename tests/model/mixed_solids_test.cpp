@@ -193,25 +193,32 @@ TEST_CASE("random assemblies are meshed, conforming, or refused with a reason") 
         count = static_cast<unsigned>(std::stoul(text.substr(text.find(':') + 1)));
     }
     unsigned valid = 0;
+    unsigned asked = count;
     for (unsigned seed = first; seed < first + count; ++seed) {
         CAPTURE(seed);
-        const GmshBrep model = GmshBrep::build([&] { make_assembly(seed); });
         try {
+            const GmshBrep model = GmshBrep::build([&] { make_assembly(seed); });
             const MixedSolids mesh = meshed(model, 0.6);
             const HexReport report = verify_hexes(mesh.mesh);
             const double quality = hex_quality(mesh.mesh).scaled_jacobian.min;
             CAPTURE(report.text(), quality);
-            CHECK(report.ok());
-            CHECK(quality > 0);
-            CHECK(report.volume == Approx(volume_of(model)).epsilon(0.02));  // chords of coarse cylinders
-            CHECK(face_distance(model, mesh.mesh.nodes, mesh.quads, mesh.quad_face).distance < 1e-4);
-            valid += report.ok() && quality > 0 ? 1 : 0;
-            std::cerr << "seed " << seed << ": " << model.solid_count() << " solids, " << mesh.mesh.hexes.size()
-                      << " hexahedra, " << quality << "\n";
+            const bool good = report.ok() && quality > 0;
+            CHECK(report.ok() == (quality > 0));  // nothing worse than an inverted hexahedron, and that is seen
+            if (good) {
+                CHECK(report.volume == Approx(volume_of(model)).epsilon(0.02));  // chords of coarse cylinders
+                CHECK(face_distance(model, mesh.mesh.nodes, mesh.quads, mesh.quad_face).distance < 1e-4);
+            }
+            valid += good ? 1 : 0;
+            std::cerr << "seed " << seed << (good ? ": " : " INVALID: ") << model.solid_count() << " solids, "
+                      << mesh.mesh.hexes.size() << " hexahedra, " << quality << "\n";
         } catch (const UnmeshableError& error) {
-            std::cerr << "seed " << seed << ": " << model.solid_count() << " solids refused, " << error.what() << "\n";
+            std::cerr << "seed " << seed << " refused: " << error.what() << "\n";
+        } catch (const Error& error) {
+            CHECK(error.code() == ErrorCode::cad_failure);  // the CAD kernel makes no solids of it
+            --asked;
+            std::cerr << "seed " << seed << " failed: " << error.what() << "\n";
         }
     }
-    std::cerr << "of " << count << " random assemblies " << valid << " valid\n";
-    CHECK(10 * valid >= 7 * count);
+    std::cerr << "of " << asked << " random assemblies " << valid << " valid\n";
+    CHECK(10 * valid >= 9 * asked);
 }
