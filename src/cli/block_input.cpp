@@ -40,6 +40,40 @@ CadTriangulation triangulate_for(const BlockCommand& command) {
     return coarse;
 }
 
+/// The triangles on some faces, with what lies on them.
+TaggedSurface part_of(const TaggedSurface& surface, const std::vector<int>& faces) {
+    TaggedSurface part;
+    std::vector<Index> number(surface.mesh.nodes.size(), no_index);
+    for (std::size_t t = 0; t < surface.mesh.triangles.size(); ++t) {
+        if (std::find(faces.begin(), faces.end(), surface.face_tags[t]) == faces.end()) {
+            continue;
+        }
+        auto corners = surface.mesh.triangles[t];
+        for (Index& corner : corners) {
+            if (number[corner] == no_index) {
+                number[corner] = static_cast<Index>(part.mesh.nodes.size());
+                part.mesh.nodes.push_back(surface.mesh.nodes[corner]);
+            }
+            corner = number[corner];
+        }
+        part.mesh.triangles.push_back(corners);
+        part.face_tags.push_back(surface.face_tags[t]);
+    }
+    for (TaggedEdge edge : surface.edges) {
+        if (number[edge.nodes[0]] != no_index && number[edge.nodes[1]] != no_index) {
+            edge.nodes = {number[edge.nodes[0]], number[edge.nodes[1]]};
+            part.edges.push_back(edge);
+        }
+    }
+    for (TaggedNode vertex : surface.vertices) {
+        if (number[vertex.node] != no_index) {
+            vertex.node = number[vertex.node];
+            part.vertices.push_back(vertex);
+        }
+    }
+    return part;
+}
+
 /// The boundary triangles of tetrahedra as a surface.
 TaggedSurface boundary_of(const TaggedTetMesh& tets) {
     TaggedSurface surface;
@@ -67,8 +101,12 @@ BlockInput read_block_input(const BlockCommand& command, const Progress& progres
         input.cad = can_read_cad(command.input);
         if (input.cad) {
             CadTriangulation model = triangulate_for(command);
-            input.surface = std::move(model.surface);
-            inner_facets = std::move(model.inner_facets);
+            if (command.faces.empty()) {
+                input.surface = std::move(model.surface);
+                inner_facets = std::move(model.inner_facets);
+            } else {
+                input.surface = part_of(model.surface, command.faces);
+            }
         } else if (can_read_surface(command.input)) {
             input.surface = read_surface(command.input);
         } else {

@@ -40,6 +40,7 @@ struct BlockCommand {
     Propagation propagation = Propagation::full;
     double mu = 0.1;                     ///< where the dual surfaces are drawn
     std::vector<double> feature_angles;  ///< end below, corner above, reversal above; empty: the default
+    std::vector<int> faces;              ///< of a CAD model, those to take, by tag; empty: all
     std::string dual;
     unsigned threads = 0;  ///< 0: one a core
     std::string report;

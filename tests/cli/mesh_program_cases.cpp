@@ -7,8 +7,12 @@
 #include <pavior/mesh/quality.hpp>
 #include <pavior/mesh/verify_hexes.hpp>
 
+#include <gmsh.h>
+
 #include <algorithm>
 #include <set>
+#include <utility>
+#include <vector>
 
 using namespace pavior;
 using namespace pavior::test;
@@ -224,6 +228,63 @@ TEST_CASE("mesh: solids apart from each other get each its own method") {
     CHECK(std::count(data.hex_groups.begin(), data.hex_groups.end(), 2) ==
           static_cast<std::ptrdiff_t>(data.mesh.hexes.size() - 48));
     CHECK(std::set<int>(data.quad_groups.begin(), data.quad_groups.end()).size() == 9);
+}
+
+TEST_CASE("mesh: one of several solids becomes blocks, the others do not notice") {
+    const std::string model = scratch_file("block_and_box.brep");
+    gmsh::initialize();
+    gmsh::option::setNumber("General.Terminal", 0);
+    gmsh::vectorpair solids;
+    (void)gmsh::model::occ::addBox(30, 0, 0, 4, 3, 2);
+    gmsh::model::occ::importShapes(example("mfcad/1-4-4-4-14-23.step"), solids);
+    gmsh::model::occ::synchronize();
+    gmsh::write(model);
+    gmsh::finalize();
+    const std::string mesh = scratch_file("block_and_box.vtu");
+    const std::string report = scratch_file("block_and_box.json");
+    const ProgramRun run = run_program("mesh " + model + " --size 2 --quiet -o " + mesh + " --report " + report);
+    CAPTURE(run.err);
+    REQUIRE(run.code == 0);
+    const auto json = json_of(report);
+    CHECK(json["decisions"][0]["method"] == "submap");
+    CHECK(json["decisions"][1]["method"] == "block");
+    const HexMeshData data = read_mesh(mesh);
+    CHECK(verify_hexes(data.mesh).ok());
+    CHECK(std::count(data.hex_groups.begin(), data.hex_groups.end(), 1) == 2 * 2 * 1);
+    CHECK(std::set<int>(data.hex_groups.begin(), data.hex_groups.end()) == std::set<int>{1, 2});
+    CHECK(std::set<int>(data.quad_groups.begin(), data.quad_groups.end()).size() == 6 + 21);
+}
+
+TEST_CASE("mesh: shallow creases between plane faces are features of the blocks") {
+    const std::string model = scratch_file("creased.brep");
+    gmsh::initialize();
+    gmsh::option::setNumber("General.Terminal", 0);
+    // a flat roof over a box with a corner cut off from below
+    std::vector<int> points;
+    std::vector<int> lines;
+    for (const auto& [x, z] : {std::pair(0.0, 0.0), {6.0, 0.0}, {6.0, 3.0}, {3.0, 3.9}, {0.0, 3.0}}) {
+        points.push_back(gmsh::model::occ::addPoint(x, 0, z));
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        lines.push_back(gmsh::model::occ::addLine(points[i], points[(i + 1) % points.size()]));
+    }
+    gmsh::vectorpair house;
+    gmsh::model::occ::extrude({{2, gmsh::model::occ::addPlaneSurface({gmsh::model::occ::addCurveLoop(lines)})}}, 0, 6,
+                              0, house);
+    gmsh::vectorpair cut;
+    std::vector<gmsh::vectorpair> map;
+    gmsh::model::occ::cut({house.at(1)}, {{3, gmsh::model::occ::addBox(4, 4, -1, 3, 3, 2)}}, cut, map);
+    gmsh::model::occ::synchronize();
+    gmsh::write(model);
+    gmsh::finalize();
+    const std::string mesh = scratch_file("creased.vtu");
+    const ProgramRun run = run_program("mesh " + model + " --size 1 --method block --explain -o " + mesh);
+    CAPTURE(run.err);
+    REQUIRE(run.code == 0);
+    CHECK(run.out.find("are features, too") != std::string::npos);
+    const HexReport check = verify_hexes(read_mesh(mesh).mesh);
+    CHECK(check.ok());
+    CHECK(check.volume == Approx(6 * (18 + 2.7) - 2 * 2).epsilon(1e-9));
 }
 
 TEST_CASE("mesh: touching solids that no one method takes get each its own, and conform") {
