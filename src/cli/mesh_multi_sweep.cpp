@@ -7,7 +7,9 @@
 #include <pavior/model/integer_program.hpp>
 #include <pavior/model/multi_sweep_model.hpp>
 
+#include <optional>
 #include <sstream>
+#include <string>
 
 namespace pavior::cli {
 
@@ -28,12 +30,33 @@ Json to_json(const MultiSweepReport& report) {
             {"smooth", cli::to_json(report.smooth)}};
 }
 
+std::string text_of(const Vec3& x) {
+    const Vec3 d = x + Vec3::Zero();  // no -0
+    std::ostringstream text;
+    text << "(" << d[0] << ", " << d[1] << ", " << d[2] << ")";
+    return text.str();
+}
+
+/// "along (0, 0, 1)" or "round the axis through (1, 2, 3) along (0, 0, 1)"
+std::string path_of(const Vec3& direction, const std::optional<Axis>& axis) {
+    return axis ? "round the axis through " + text_of(axis->origin) + " along " + text_of(axis->direction)
+                : "along " + text_of(direction);
+}
+
+/// Adds what says where to sweep: a direction, or an axis.
+void add_path(Json& json, const Vec3& direction, const std::optional<Axis>& axis) {
+    const auto list = [](const Vec3& x) {
+        const Vec3 d = x + Vec3::Zero();  // no -0
+        return Json{d[0], d[1], d[2]};
+    };
+    json["direction"] = axis ? Json() : list(direction);
+    json["axis"] = axis ? Json{{"origin", list(axis->origin)}, {"direction", list(axis->direction)}} : Json();
+}
+
 std::string note_of(const MultiSweepAttempt& attempt) {
     std::ostringstream text;
-    const Vec3 d = attempt.direction + Vec3::Zero();  // no -0
-    text << "along (" << d[0] << ", " << d[1] << ", " << d[2] << "), merging within " << attempt.merge
-         << " sizes, chords within " << attempt.chord << ": "
-         << (attempt.error.empty() ? "least scaled Jacobian " : attempt.error);
+    text << path_of(attempt.direction, attempt.axis) << ", merging within " << attempt.merge << " sizes, chords within "
+         << attempt.chord << ": " << (attempt.error.empty() ? "least scaled Jacobian " : attempt.error);
     if (attempt.error.empty()) {
         text << attempt.quality << ", boundary nodes within " << attempt.face_distance << " of their faces";
     }
@@ -51,8 +74,8 @@ void try_multi_sweep(const GmshBrep& model, std::span<const SolidId> solids, con
     BestMultiSweep best = best_multi_sweep(model, solids, options, imprint, solver, GmshRegionMesher{}, out_of_time);
     result.details["attempts"] = Json::array();
     for (const MultiSweepAttempt& attempt : best.attempts) {
-        const Vec3 d = attempt.direction + Vec3::Zero();  // no -0
-        Json json{{"direction", {d[0], d[1], d[2]}}, {"merge", attempt.merge}, {"chord", attempt.chord}};
+        Json json{{"merge", attempt.merge}, {"chord", attempt.chord}};
+        add_path(json, attempt.direction, attempt.axis);
         json["scaled_jacobian"] = attempt.error.empty() ? Json(attempt.quality) : Json();
         json["face_distance"] = attempt.error.empty() ? Json(attempt.face_distance) : Json();
         json["error"] = attempt.error;
@@ -63,7 +86,7 @@ void try_multi_sweep(const GmshBrep& model, std::span<const SolidId> solids, con
     if (!best.mesh) {
         throw no_mesh_error(best);
     }
-    result.details["direction"] = {best.mesh->direction[0], best.mesh->direction[1], best.mesh->direction[2]};
+    add_path(result.details, best.mesh->direction, best.mesh->axis);
     result.details["report"] = to_json(best.mesh->report);
     result.data = grouped(model, solids, *best.mesh);
 }

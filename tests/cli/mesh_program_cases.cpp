@@ -10,6 +10,8 @@
 #include <gmsh.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <utility>
 #include <vector>
@@ -285,6 +287,39 @@ TEST_CASE("mesh: shallow creases between plane faces are features of the blocks"
     const HexReport check = verify_hexes(read_mesh(mesh).mesh);
     CHECK(check.ok());
     CHECK(check.volume == Approx(6 * (18 + 2.7) - 2 * 2).epsilon(1e-9));
+}
+
+TEST_CASE("mesh: a bend whose radius changes is swept round its axis") {
+    const std::string model = scratch_file("bend.brep");
+    gmsh::initialize();
+    gmsh::option::setNumber("General.Terminal", 0);
+    gmsh::vectorpair pieces;
+    for (const auto& [radius, from] : {std::pair(1.0, 0.0), {1.6, 0.8}}) {
+        const int disc = gmsh::model::occ::addDisk(4, 0, 0, radius, radius);
+        gmsh::model::occ::rotate({{2, disc}}, 4, 0, 0, 1, 0, 0, 0.5 * std::numbers::pi);
+        gmsh::model::occ::rotate({{2, disc}}, 0, 0, 0, 0, 0, 1, from);
+        gmsh::vectorpair out;
+        gmsh::model::occ::revolve({{2, disc}}, 0, 0, 0, 0, 0, 1, 0.8, out);
+        pieces.push_back(out.at(1));
+    }
+    gmsh::vectorpair solid;
+    std::vector<gmsh::vectorpair> map;
+    gmsh::model::occ::fuse({pieces[0]}, {pieces[1]}, solid, map);
+    gmsh::model::occ::synchronize();
+    gmsh::write(model);
+    gmsh::finalize();
+    const std::string mesh = scratch_file("bend.vtu");
+    const std::string report = scratch_file("bend.json");
+    const ProgramRun run = run_program("mesh " + model + " --size 0.5 --explain -o " + mesh + " --report " + report);
+    CAPTURE(run.err);
+    REQUIRE(run.code == 0);
+    CHECK(run.out.find("round the axis through (") != std::string::npos);
+    const auto json = json_of(report);
+    CHECK(json["decisions"][0]["method"] == "multi-sweep");
+    const auto axis = json["decisions"][0]["tries"][2]["details"]["axis"];
+    CHECK(std::abs(axis["direction"][2].get<double>()) == Approx(1));
+    CHECK(verify_hexes(read_mesh(mesh).mesh).ok());
+    CHECK(json["mesh"]["quality"]["scaled_jacobian"]["min"].get<double>() >= 0.2);
 }
 
 TEST_CASE("mesh: touching solids that no one method takes get each its own, and conform") {

@@ -7,6 +7,7 @@
 #include <pavior/model/extrusion.hpp>
 #include <pavior/model/face_distance.hpp>
 #include <pavior/model/multi_sweep.hpp>
+#include <pavior/model/revolution.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,7 +25,8 @@ struct MultiSweptModel {
     std::vector<SolidId> hex_solid;  ///< one a hexahedron
     std::vector<QuadCorners> quads;  ///< mesh of the faces, about the face's own normal
     std::vector<FaceId> quad_face;   ///< one a quad
-    Vec3 direction = Vec3::UnitZ();
+    Vec3 direction = Vec3::UnitZ();  ///< of a straight path
+    std::optional<Axis> axis;        ///< of a path round it
     MultiSweepReport report;
 };
 
@@ -73,13 +75,14 @@ template <brep B, plane_imprinter I, class Solver, region_mesher M>
 
 /// One way to sweep and what came of it.
 struct MultiSweepAttempt {
-    Vec3 direction = Vec3::UnitZ();
-    double merge = 0;          ///< MultiSweepOptions::merge
-    double chord = 0;          ///< MultiSweepOptions::chord
-    double quality = 0;        ///< least scaled Jacobian; meaningless with an error
-    double face_distance = 0;  ///< of the boundary node farthest from its face
-    std::string error;         ///< empty: a mesh was made
-    Error::Ids tags;           ///< faces that the error names
+    Vec3 direction = Vec3::UnitZ();  ///< of a straight path
+    std::optional<Axis> axis;        ///< of a path round it
+    double merge = 0;                ///< MultiSweepOptions::merge
+    double chord = 0;                ///< MultiSweepOptions::chord
+    double quality = 0;              ///< least scaled Jacobian; meaningless with an error
+    double face_distance = 0;        ///< of the boundary node farthest from its face
+    std::string error;               ///< empty: a mesh was made
+    Error::Ids tags;                 ///< faces that the error names
 };
 
 struct BestMultiSweep {
@@ -87,59 +90,150 @@ struct BestMultiSweep {
     std::vector<MultiSweepAttempt> attempts;
 };
 
-/// Sweeps \p solids along each direction that recognise_extrusions() finds possible, best first, with the merging
-/// tolerance of \p options, without merging, and, where that makes no mesh, with a twentieth of the chord error for
-/// very short edges, until a mesh has a least scaled Jacobian of \p sufficient; otherwise the best counts. A mesh with a
-/// boundary node farther from its face than 1e-4 times the size is none. Nothing is tried once out_of_time() is true.
-/// Callables as for multi_sweep().
-/// \throws UnmeshableError not_sweepable naming faces where no direction is possible; InputError as multi_sweep()
+namespace detail {
+
+/// Tries paths, the better mesh stays.
 template <brep B, plane_imprinter I, class Solver, region_mesher M, class OutOfTime>
-[[nodiscard]] BestMultiSweep best_multi_sweep(const B& b, std::span<const SolidId> solids,
-                                              const MultiSweepOptions& options, I&& imprint, Solver&& solver,
-                                              M&& mesher, OutOfTime&& out_of_time, double sufficient = 0.3,
-                                              const LocalSizes& sizes = {}) {
-    const std::vector<Extrusion> extrusions = recognise_extrusions(b, solids);
-    if (extrusions.empty() || !extrusions.front().possible()) {
-        throw extrusions.empty() ? UnmeshableError(ErrorCode::not_sweepable, "no face or edge gives a direction")
-                                 : extrusion_error(b, extrusions.front());
+class MultiSweepSearch {
+public:
+    MultiSweepSearch(const B& b, std::span<const SolidId> solids, const MultiSweepOptions& options, I& imprint,
+                     Solver& solver, M& mesher, OutOfTime& out_of_time, double sufficient, const LocalSizes& sizes)
+        : b_(b),
+          solids_(solids),
+          options_(options),
+          imprint_(imprint),
+          solver_(solver),
+          mesher_(mesher),
+          out_of_time_(out_of_time),
+          sufficient_(sufficient),
+          sizes_(sizes) {}
+
+    [[nodiscard]] bool done() const { return best_ >= sufficient_ || out_of_time_(); }
+
+    void straight(const Extrusion& extrusion) {
+        attempts({extrusion.direction, {}, 0, 0, 0, 0, {}, {}}, [&](const MultiSweepOptions& own) {
+            return multi_sweep_model(b_, solids_, extrusion, own, imprint_, solver_, mesher_, sizes_);
+        });
     }
-    BestMultiSweep result;
-    double best = -2;
-    for (const Extrusion& extrusion : extrusions) {
-        for (const auto& [merge, chord] : {std::pair(options.merge, 1.0), {0.0, 1.0}, {0.0, 0.05}}) {
+
+    /// A path round \p axis, if the solids admit one.
+    void round(const Axis& axis) {
+        if (!may_turn_about(axis)) {
+            return;
+        }
+        const std::optional<Unrolling> unrolling = unroll_round(b_, solids_, axis, options_.size, options_.max_angle);
+        if (!unrolling) {
+            return;
+        }
+        const UnrolledBrep<B> unrolled(b_, *unrolling);
+        const Extrusion extrusion = extrusion_along(unrolled, solids_, Vec3::UnitY());
+        if (!extrusion.possible()) {
+            return;
+        }
+        attempts({extrusion.direction, axis, 0, 0, 0, 0, {}, {}}, [&](const MultiSweepOptions& own) {
+            MultiSweptModel mesh =
+                multi_sweep_model(unrolled, solids_, extrusion, own, imprint_, solver_, mesher_, sizes_);
+            for (Vec3& node : mesh.mesh.nodes) {
+                node = unrolling->rolled(node);
+            }
+            mesh.axis = axis;
+            return mesh;
+        });
+    }
+
+    [[nodiscard]] BestMultiSweep take() && { return std::move(result_); }
+
+private:
+    /// A quick look at the faces, whatever the cut and the radius.
+    [[nodiscard]] bool may_turn_about(const Axis& axis) const {
+        const Unrolling any(axis, axis.direction.unitOrthogonal(), options_.size);
+        return extrusion_along(UnrolledBrep<B>(b_, any), solids_, Vec3::UnitY(), {1e-3, 89.9}).possible();
+    }
+
+    template <class Sweep>
+    void attempts(const MultiSweepAttempt& path, Sweep&& sweep) {
+        for (const auto& [merge, chord] : {std::pair(options_.merge, 1.0), {0.0, 1.0}, {0.0, 0.05}}) {
             const bool finer = chord < 1.0;
-            if (!extrusion.possible() || best >= sufficient || (finer && best > 0) || out_of_time()) {
+            if (done() || (finer && best_ > 0)) {
                 continue;
             }
-            MultiSweepOptions own = options;
+            MultiSweepOptions own = options_;
             own.merge = merge;
             own.chord *= chord;
-            MultiSweepAttempt attempt{extrusion.direction, merge, own.chord, 0, 0, {}, {}};
+            MultiSweepAttempt attempt = path;
+            attempt.merge = merge;
+            attempt.chord = own.chord;
             try {
-                MultiSweptModel mesh = multi_sweep_model(b, solids, extrusion, own, imprint, solver, mesher, sizes);
-                const FaceDistance off = face_distance(b, mesh.mesh.nodes, mesh.quads, mesh.quad_face);
-                if (off.distance > 1e-4 * options.size) {
-                    const int tag = b.tag(2, mesh.quad_face[off.quad].index());
-                    throw UnmeshableError(ErrorCode::not_sweepable,
-                                          "a node of face " + std::to_string(tag) + " would lie " +
-                                              std::to_string(off.distance) +
-                                              " away from it, to keep clear of other faces nearby",
-                                          {tag});
-                }
-                attempt.face_distance = off.distance;
-                attempt.quality = hex_quality(mesh.mesh).scaled_jacobian.min;
-                if (attempt.quality > best) {
-                    best = attempt.quality;
-                    result.mesh = std::move(mesh);
-                }
+                take(sweep(own), attempt);
             } catch (const InputError&) {
                 throw;
             } catch (const Error& error) {
                 attempt.error = error.what();
                 attempt.tags = error.ids();
             }
-            result.attempts.push_back(std::move(attempt));
+            result_.attempts.push_back(std::move(attempt));
         }
+    }
+
+    void take(MultiSweptModel mesh, MultiSweepAttempt& attempt) {
+        const FaceDistance off = face_distance(b_, mesh.mesh.nodes, mesh.quads, mesh.quad_face);
+        if (off.distance > 1e-4 * options_.size) {
+            const int tag = b_.tag(2, mesh.quad_face[off.quad].index());
+            throw UnmeshableError(ErrorCode::not_sweepable,
+                                  "a node of face " + std::to_string(tag) + " would lie " +
+                                      std::to_string(off.distance) +
+                                      " away from it, to keep clear of other faces nearby",
+                                  {tag});
+        }
+        attempt.face_distance = off.distance;
+        attempt.quality = hex_quality(mesh.mesh).scaled_jacobian.min;
+        if (attempt.quality > best_) {
+            best_ = attempt.quality;
+            result_.mesh = std::move(mesh);
+        }
+    }
+
+    const B& b_;
+    std::span<const SolidId> solids_;
+    const MultiSweepOptions& options_;
+    I& imprint_;
+    Solver& solver_;
+    M& mesher_;
+    OutOfTime& out_of_time_;
+    double sufficient_;
+    const LocalSizes& sizes_;
+    BestMultiSweep result_;
+    double best_ = -2;
+};
+
+}  // namespace detail
+
+/// Sweeps \p solids along each path on which every face is a cap or a side: the directions that recognise_extrusions()
+/// finds possible, best first, then circles round the axes of their faces (revolution_axes(), unroll_round()). Each is
+/// tried with the merging tolerance of \p options, without merging, and, where that makes no mesh, with a twentieth of
+/// the chord error for very short edges, until a mesh has a least scaled Jacobian of \p sufficient; otherwise the best
+/// counts. A mesh with a boundary node farther from its face than 1e-4 times the size is none. Nothing is tried once
+/// out_of_time() is true. Callables as for multi_sweep().
+/// \throws UnmeshableError not_sweepable naming faces where no path is possible; InputError as multi_sweep()
+template <brep B, plane_imprinter I, class Solver, region_mesher M, class OutOfTime>
+[[nodiscard]] BestMultiSweep best_multi_sweep(const B& b, std::span<const SolidId> solids,
+                                              const MultiSweepOptions& options, I&& imprint, Solver&& solver,
+                                              M&& mesher, OutOfTime&& out_of_time, double sufficient = 0.3,
+                                              const LocalSizes& sizes = {}) {
+    detail::MultiSweepSearch search(b, solids, options, imprint, solver, mesher, out_of_time, sufficient, sizes);
+    const std::vector<Extrusion> extrusions = recognise_extrusions(b, solids);
+    for (const Extrusion& extrusion : extrusions) {
+        if (extrusion.possible() && !search.done()) {
+            search.straight(extrusion);
+        }
+    }
+    for (const Axis& axis : search.done() ? std::vector<Axis>{} : revolution_axes(b, solids)) {
+        search.round(axis);
+    }
+    BestMultiSweep result = std::move(search).take();
+    if (result.attempts.empty() && (extrusions.empty() || !extrusions.front().possible())) {
+        throw extrusions.empty() ? UnmeshableError(ErrorCode::not_sweepable, "no face or edge gives a direction")
+                                 : extrusion_error(b, extrusions.front());
     }
     return result;
 }

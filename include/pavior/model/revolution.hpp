@@ -1,0 +1,242 @@
+#pragma once
+/// \file
+/// Models that are swept round an axis, unrolled into straight ones.
+
+#include <pavior/model/edge_mesh.hpp>
+#include <pavior/model/extrusion.hpp>
+
+#include <Eigen/Dense>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace pavior {
+
+/// A line that a path turns about.
+struct Axis {
+    Vec3 origin = Vec3::Zero(), direction = Vec3::UnitZ();  ///< direction of length 1
+};
+
+/// Cylinder coordinates that keep lengths at one radius: (r, radius * angle, z), a right-handed system. The angle is
+/// within (-pi, pi), 0 towards `middle`.
+class Unrolling {
+public:
+    /// \p middle: a direction that is not parallel to the axis
+    Unrolling(const Axis& axis, const Vec3& middle, double radius)
+        : axis_(axis),
+          x_((middle - middle.dot(axis.direction) * axis.direction).normalized()),
+          y_(axis.direction.cross(x_)),
+          radius_(radius) {}
+
+    [[nodiscard]] const Axis& axis() const { return axis_; }
+    [[nodiscard]] double radius() const { return radius_; }
+
+    [[nodiscard]] Vec3 unrolled(const Vec3& p) const {
+        const Vec3 d = p - axis_.origin;
+        const double x = d.dot(x_);
+        const double y = d.dot(y_);
+        return {std::hypot(x, y), radius_ * std::atan2(y, x), d.dot(axis_.direction)};
+    }
+    [[nodiscard]] Vec3 rolled(const Vec3& q) const {
+        const double angle = q[1] / radius_;
+        return axis_.origin + q[0] * (std::cos(angle) * x_ + std::sin(angle) * y_) + q[2] * axis_.direction;
+    }
+    /// The image of a direction \p d at \p p, which must be off the axis.
+    [[nodiscard]] Vec3 unrolled(const Vec3& p, const Vec3& d) const {
+        const Vec3 offset = p - axis_.origin;
+        const Vec3 radial = offset.dot(x_) * x_ + offset.dot(y_) * y_;
+        const double r = radial.norm();
+        return {d.dot(radial) / r, d.dot(axis_.direction.cross(radial)) * radius_ / (r * r), d.dot(axis_.direction)};
+    }
+
+private:
+    Axis axis_;
+    Vec3 x_, y_;
+    double radius_;
+};
+
+/// A model as it looks unrolled; a view, models brep. Topology and parameters stay. closest_on_face() is the point
+/// closest in space. Lengths of edges are those of the unrolled ones. Solids must not reach the axis, nor the half plane
+/// opposite to `middle`.
+template <brep B>
+class UnrolledBrep {
+public:
+    UnrolledBrep(const B& b, const Unrolling& unrolling) : b_(b), map_(unrolling) {}
+
+    [[nodiscard]] std::size_t vertex_count() const { return b_.vertex_count(); }
+    [[nodiscard]] std::size_t edge_count() const { return b_.edge_count(); }
+    [[nodiscard]] std::size_t face_count() const { return b_.face_count(); }
+    [[nodiscard]] std::size_t solid_count() const { return b_.solid_count(); }
+    [[nodiscard]] std::span<const OrientedFace> solid_faces(SolidId s) const { return b_.solid_faces(s); }
+    [[nodiscard]] std::span<const EdgeLoop> face_loops(FaceId f) const { return b_.face_loops(f); }
+    [[nodiscard]] std::array<VertexId, 2> edge_vertices(EdgeId e) const { return b_.edge_vertices(e); }
+    [[nodiscard]] Vec3 vertex_point(VertexId v) const { return map_.unrolled(b_.vertex_point(v)); }
+    [[nodiscard]] std::array<double, 2> edge_range(EdgeId e) const { return b_.edge_range(e); }
+    [[nodiscard]] Vec3 edge_point(EdgeId e, double t) const { return map_.unrolled(b_.edge_point(e, t)); }
+    [[nodiscard]] Vec3 edge_derivative(EdgeId e, double t) const {
+        return map_.unrolled(b_.edge_point(e, t), b_.edge_derivative(e, t));
+    }
+    [[nodiscard]] double edge_length(EdgeId e) const { return detail::arc_length(*this, e, 32).length.back(); }
+    [[nodiscard]] Vec3 face_point(FaceId f, const Vec2& uv) const { return map_.unrolled(b_.face_point(f, uv)); }
+    [[nodiscard]] std::pair<Vec3, Vec3> face_derivatives(FaceId f, const Vec2& uv) const {
+        const Vec3 x = b_.face_point(f, uv);
+        const auto [du, dv] = b_.face_derivatives(f, uv);
+        return {map_.unrolled(x, du), map_.unrolled(x, dv)};
+    }
+    [[nodiscard]] Vec2 closest_on_face(FaceId f, const Vec3& x) const { return b_.closest_on_face(f, map_.rolled(x)); }
+    [[nodiscard]] Vec2 edge_on_face(EdgeId e, double t, FaceId f, bool forward) const {
+        return b_.edge_on_face(e, t, f, forward);
+    }
+    [[nodiscard]] std::array<double, 2> face_period(FaceId f) const { return b_.face_period(f); }
+    [[nodiscard]] int tag(int dim, std::size_t index) const { return b_.tag(dim, index); }
+
+private:
+    const B& b_;
+    Unrolling map_;
+};
+
+namespace detail {
+
+/// The lines that meet the normals of a surface at its samples: at most two are looked for, none if there are more
+/// (planes, spheres). A line through c along d meets that through p along n where d . (p x n) + (c x d) . n = 0.
+template <brep B>
+void add_axes(const B& b, FaceId face, std::vector<Axis>& axes) {
+    std::vector<std::pair<Vec3, Vec3>> samples;
+    Vec3 middle = Vec3::Zero();
+    for (const Vec2& uv : face_samples(b, face)) {
+        const auto [du, dv] = b.face_derivatives(face, uv);
+        const Vec3 n = du.cross(dv);
+        if (n.norm() > 1e-12 * du.norm() * dv.norm() && n.allFinite()) {
+            samples.emplace_back(b.face_point(face, uv), n.normalized());
+            middle += samples.back().first;
+        }
+    }
+    if (samples.size() < 6) {
+        return;
+    }
+    middle /= static_cast<double>(samples.size());
+    double scale = 0;
+    for (const auto& sample : samples) {
+        scale = std::max(scale, (sample.first - middle).norm());
+    }
+    Eigen::MatrixXd rows(static_cast<Eigen::Index>(samples.size()), 6);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const Vec3 p = (samples[i].first - middle) / scale;
+        rows.row(static_cast<Eigen::Index>(i)) << p.cross(samples[i].second).transpose(), samples[i].second.transpose();
+    }
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
+    const auto& sigma = svd.singularValues();
+    const double small = 1e-7 * sigma[0];
+    const Eigen::Matrix<double, 6, 1> u = svd.matrixV().col(5);
+    const Eigen::Matrix<double, 6, 1> v = svd.matrixV().col(4);
+    std::vector<Eigen::Matrix<double, 6, 1>> lines;
+    if (sigma[3] <= small || sigma[5] > small) {
+        return;
+    }
+    if (sigma[4] > small) {
+        lines.push_back(u);
+    } else {  // a u + c v is a line where its two halves are perpendicular
+        const double uu = u.head<3>().dot(u.tail<3>());
+        const double uv = 0.5 * (u.head<3>().dot(v.tail<3>()) + v.head<3>().dot(u.tail<3>()));
+        const double vv = v.head<3>().dot(v.tail<3>());
+        const double root = std::sqrt(std::max(0.0, uv * uv - uu * vv));
+        for (const double sign : {1.0, -1.0}) {
+            const std::array<double, 2> one{-uv + sign * root, uu};
+            const std::array<double, 2> other{vv, -uv - sign * root};
+            const auto& best = std::hypot(one[0], one[1]) > std::hypot(other[0], other[1]) ? one : other;
+            lines.emplace_back((best[0] * u + best[1] * v).normalized());
+        }
+    }
+    for (const auto& line : lines) {
+        const Vec3 d = line.head<3>();
+        const Vec3 m = line.tail<3>();
+        if (d.norm() < 1e-6 || std::abs(d.dot(m)) > 1e-6 * d.norm()) {
+            continue;  // at infinity, or no line
+        }
+        std::vector<Vec3> direction;
+        add_direction(direction, d);
+        const Axis axis{middle + scale * d.cross(m) / d.squaredNorm(), direction.front()};
+        const auto same = [&](const Axis& other) {
+            return other.direction.cross(axis.direction).norm() < 1e-6 &&
+                   (other.origin - axis.origin).cross(axis.direction).norm() < 1e-6 * scale;
+        };
+        if (std::none_of(axes.begin(), axes.end(), same)) {
+            axes.push_back(axis);
+        }
+    }
+}
+
+}  // namespace detail
+
+/// Axes of the surfaces of revolution among the faces of \p solids (not of spheres), in the order of the faces. O(edges).
+template <brep B>
+[[nodiscard]] std::vector<Axis> revolution_axes(const B& b, std::span<const SolidId> solids) {
+    std::vector<Axis> axes;
+    for (const FaceId f : detail::faces_of(b, solids)) {
+        detail::add_axes(b, f, axes);
+    }
+    return axes;
+}
+
+/// How to unroll \p solids round \p axis: cut where they leave the widest gap, true to length at the middle radius, or
+/// farther out where \p size would turn by more than \p max_angle degrees there. Nothing if the solids reach the axis or
+/// leave no gap of 10 degrees. O(edges), 128 points each.
+template <brep B>
+[[nodiscard]] std::optional<Unrolling> unroll_round(const B& b, std::span<const SolidId> solids, const Axis& axis,
+                                                    double size, double max_angle = 45) {
+    constexpr int per_edge = 128;
+    constexpr double least_gap = std::numbers::pi / 18;
+    const Vec3 x = axis.direction.unitOrthogonal();
+    const Unrolling plain(axis, x, 1);
+    std::vector<double> angles;
+    double low = std::numeric_limits<double>::infinity();
+    double high = 0;
+    const auto take = [&](const Vec3& p) {
+        const Vec3 q = plain.unrolled(p);
+        low = std::min(low, q[0]);
+        high = std::max(high, q[0]);
+        angles.push_back(q[1]);
+    };
+    for (const FaceId f : detail::faces_of(b, solids)) {
+        for (const Vec2& uv : detail::face_samples(b, f)) {
+            take(b.face_point(f, uv));
+        }
+        for (const EdgeLoop& loop : b.face_loops(f)) {
+            for (const OrientedEdge& use : loop) {
+                const auto range = b.edge_range(use.edge);
+                for (int i = 0; i <= per_edge; ++i) {
+                    take(b.edge_point(use.edge, range[0] + (range[1] - range[0]) * i / per_edge));
+                }
+            }
+        }
+    }
+    if (angles.empty() || !(low > 1e-3 * high)) {
+        return std::nullopt;
+    }
+    std::sort(angles.begin(), angles.end());
+    double gap = angles.front() + 2 * std::numbers::pi - angles.back();
+    double cut = angles.back() + 0.5 * gap;
+    for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
+        if (angles[i + 1] - angles[i] > gap) {
+            gap = angles[i + 1] - angles[i];
+            cut = angles[i] + 0.5 * gap;
+        }
+    }
+    if (gap < least_gap) {
+        return std::nullopt;
+    }
+    const double middle = cut + std::numbers::pi;
+    const double radius = std::max(0.5 * (low + high), size * 180 / (std::numbers::pi * max_angle));
+    return Unrolling(axis, std::cos(middle) * x + std::sin(middle) * axis.direction.cross(x), radius);
+}
+
+}  // namespace pavior
