@@ -1,6 +1,6 @@
-// Writes mixed_methods.brep: a plate with a blind hole, which only a many-to-many sweep can mesh; beside it a block with
-// steps in three directions, which can only be submapped; on it a bracket with a hole and a cone, one-to-one sweeps in
-// different directions. Faces are shared.
+// Writes mixed_methods.brep: a plate with a blind hole, which only a many-to-many sweep can mesh; beside it a block
+// with steps in three directions, which can only be submapped; on it a bracket with a hole and a cone, one-to-one
+// sweeps in different directions. Faces are shared.
 #include <gmsh.h>
 
 #include <vector>

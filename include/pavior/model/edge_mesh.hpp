@@ -73,8 +73,8 @@ template <brep B>
     return parameters;
 }
 
-/// Parameter of a point of \p e next to \p x: Gauss-Newton from the nearest of 33 samples, so to rounding where x lies on
-/// the edge. Never outside the range. About 40 evaluations.
+/// Parameter of a point of \p e next to \p x: Gauss-Newton from the nearest of 33 samples, so to rounding where x lies
+/// on the edge. Never outside the range. About 40 evaluations.
 template <brep B>
 [[nodiscard]] double closest_on_edge(const B& b, EdgeId e, const Vec3& x) {
     constexpr int samples = 32;

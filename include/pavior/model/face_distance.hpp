@@ -22,8 +22,8 @@ struct FaceDistance {
 };
 
 /// \param faces  the face of each quad
-/// The first of several equal ones; zero distance without quads. O(quads); one closest point a node where the quads of a
-/// face come one after the other.
+/// The first of several equal ones; zero distance without quads. O(quads); one closest point a node where the quads of
+/// a face come one after the other.
 /// \throws InputError size_mismatch
 template <brep B>
 [[nodiscard]] FaceDistance face_distance(const B& body, std::span<const Vec3> nodes, std::span<const QuadCorners> quads,

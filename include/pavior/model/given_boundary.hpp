@@ -133,8 +133,8 @@ template <brep B>
 /// Reads a mesh of some faces back: nodes of their vertices and edges, quads with parameters. \p quads (ids in
 /// \p nodes) lie on the faces \p quad_face, counter-clockwise about the face's own normal; only those on \p faces
 /// count. \p nodes become the nodes of the result, with the same ids. Faces come back unstructured, see
-/// structure_side(). A node belongs to a vertex or an edge if it lies within a thousandth of the shortest edge of a quad.
-/// O(n log n) and about 40 evaluations of the model for each node at an edge.
+/// structure_side(). A node belongs to a vertex or an edge if it lies within a thousandth of the shortest edge of a
+/// quad. O(n log n) and about 40 evaluations of the model for each node at an edge.
 /// \throws UnmeshableError not_sweepable naming a face if a vertex is no node or an edge no line of edges of quads;
 /// InputError size_mismatch
 template <brep B>

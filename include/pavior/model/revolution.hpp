@@ -65,8 +65,8 @@ private:
 };
 
 /// A model as it looks unrolled; a view, models brep. Topology and parameters stay. closest_on_face() is the point
-/// closest in space. Lengths of edges are those of the unrolled ones. Solids must not reach the axis, nor the half plane
-/// opposite to `middle`.
+/// closest in space. Lengths of edges are those of the unrolled ones. Solids must not reach the axis, nor the half
+/// plane opposite to `middle`.
 template <brep B>
 class UnrolledBrep {
 public:
@@ -177,7 +177,8 @@ void add_axes(const B& b, FaceId face, std::vector<Axis>& axes) {
 
 }  // namespace detail
 
-/// Axes of the surfaces of revolution among the faces of \p solids (not of spheres), in the order of the faces. O(edges).
+/// Axes of the surfaces of revolution among the faces of \p solids (not of spheres), in the order of the faces.
+/// O(edges).
 template <brep B>
 [[nodiscard]] std::vector<Axis> revolution_axes(const B& b, std::span<const SolidId> solids) {
     std::vector<Axis> axes;
@@ -188,8 +189,8 @@ template <brep B>
 }
 
 /// How to unroll \p solids round \p axis: cut where they leave the widest gap, true to length at the middle radius, or
-/// farther out where \p size would turn by more than \p max_angle degrees there. Nothing if the solids reach the axis or
-/// leave no gap of 10 degrees. O(edges), 128 points each.
+/// farther out where \p size would turn by more than \p max_angle degrees there. Nothing if the solids reach the axis
+/// or leave no gap of 10 degrees. O(edges), 128 points each.
 template <brep B>
 [[nodiscard]] std::optional<Unrolling> unroll_round(const B& b, std::span<const SolidId> solids, const Axis& axis,
                                                     double size, double max_angle = 45) {

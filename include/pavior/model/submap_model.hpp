@@ -108,8 +108,9 @@ void adopt_mesh(const B& b, BoundaryMesh& mesh, FaceId f, const FaceMesh& given)
 
 }  // namespace detail
 
-/// Meshes the faces of all solids of \p submaps, each once. The edges must be meshed. A face that is meshed already keeps
-/// its nodes. \return by face id; nothing for faces of no solid
+/// Meshes the faces of all solids of \p submaps, each once. The edges must be meshed. A face that is meshed already
+/// keeps its nodes.
+/// \return by face id; nothing for faces of no solid
 /// \throws UnmeshableError not_submappable naming a face that is meshed already, but not with this structure
 template <brep B>
 [[nodiscard]] std::vector<std::optional<SubmapFace>> mesh_submap_faces(const B& b, BoundaryMesh& mesh,

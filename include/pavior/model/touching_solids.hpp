@@ -13,8 +13,8 @@
 
 namespace pavior {
 
-/// Groups those of \p solids that share a vertex (or an edge or a face, which have vertices), directly or through others
-/// of them. Groups, and the solids in each, come in the order of \p solids. O(uses of edges).
+/// Groups those of \p solids that share a vertex (or an edge or a face, which have vertices), directly or through
+/// others of them. Groups, and the solids in each, come in the order of \p solids. O(uses of edges).
 template <brep B>
 [[nodiscard]] std::vector<std::vector<SolidId>> touching_solids(const B& b, std::span<const SolidId> solids) {
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
