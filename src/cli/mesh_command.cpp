@@ -7,6 +7,7 @@
 
 #include <pavior/core/error.hpp>
 #include <pavior/core/stopwatch.hpp>
+#include <pavior/mesh/append_mesh.hpp>
 #include <pavior/model/touching_solids.hpp>
 
 #include <algorithm>
@@ -24,18 +25,7 @@ HexMeshData joined(const GmshBrep& model, std::vector<MeshDecision>& decisions) 
     HexMeshData all;
     for (MeshDecision& decision : decisions) {
         HexMeshData& part = decision.tries[*decision.taken].data;
-        const auto shift = static_cast<Index>(all.mesh.nodes.size());
-        const auto append = [&](const auto& from, auto& to) {
-            for (auto corners : from) {
-                for (Index& node : corners) {
-                    node += shift;
-                }
-                to.push_back(corners);
-            }
-        };
-        all.mesh.nodes.insert(all.mesh.nodes.end(), part.mesh.nodes.begin(), part.mesh.nodes.end());
-        append(part.mesh.hexes, all.mesh.hexes);
-        append(part.quads, all.quads);
+        append_mesh(part.mesh, part.quads, all.mesh, all.quads);
         all.hex_groups.insert(all.hex_groups.end(), part.hex_groups.begin(), part.hex_groups.end());
         all.quad_groups.insert(all.quad_groups.end(), part.quad_groups.begin(), part.quad_groups.end());
         part = {};

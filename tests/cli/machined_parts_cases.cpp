@@ -2,21 +2,19 @@
 // one side or from several. Each is meshed or refused with a reason; no mesh that is written may be wrong. With
 // PAVIOR_PARTS=first:count in the environment other seeds are tried. Each seed is printed with what came of it.
 #include "support/catch.hpp"
+#include "support/dice.hpp"
+#include "support/occ_solids.hpp"
 #include "support/program.hpp"
 
 #include <pavior/io/mesh_file.hpp>
 #include <pavior/mesh/verify_hexes.hpp>
 
-#include <gmsh.h>
-
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <numbers>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,28 +24,15 @@ using namespace pavior::test;
 
 namespace {
 
-namespace occ = gmsh::model::occ;
-
-/// Numbers on a grid of 0.05 that do not depend on the standard library.
-class Dice {
-public:
-    explicit Dice(unsigned seed) : engine_(seed) {}
-    double real(double low, double high) {
-        return std::round((low + (high - low) * static_cast<double>(engine_()) / 4294967296.0) * 20) / 20;
-    }
-    int below(int n) { return static_cast<int>(engine_() % static_cast<unsigned>(n)); }
-    bool coin() { return below(2) == 0; }
-
-private:
-    std::mt19937 engine_;
-};
+/// On a grid of 0.05.
+double grid(Dice& dice, double low, double high) { return std::round(dice.real(low, high) * 20) / 20; }
 
 using Point = std::array<double, 2>;
 
 /// The outline of a feature on a side of width w; empty for a round one.
 std::vector<Point> outline(Dice& dice, double w, const Point& at) {
-    const double a = dice.real(1.5, 2.5);
-    const double b = dice.real(1.5, 2.5);
+    const double a = grid(dice, 1.5, 2.5);
+    const double b = grid(dice, 1.5, 2.5);
     switch (dice.below(6)) {
         case 0: return {at, {at[0] + a, at[1]}, {at[0] + a, at[1] + b}, {at[0], at[1] + b}};
         case 1: return {at, {at[0] + a, at[1]}, {at[0] + a / 2, at[1] + b}};
@@ -72,7 +57,7 @@ gmsh::vectorpair feature(Dice& dice, const std::array<double, 3>& size, std::siz
     const double length = size[axis];
     const bool far_side = dice.coin();
     const bool through = dice.coin();
-    const double depth = through ? length + 1 : dice.real(1, 0.6 * length);
+    const double depth = through ? length + 1 : grid(dice, 1, 0.6 * length);
     const double base = far_side ? length - depth : -1;
     const auto place = [&](const Point& p, double height) {
         std::array<double, 3> x{};
@@ -81,12 +66,12 @@ gmsh::vectorpair feature(Dice& dice, const std::array<double, 3>& size, std::siz
         x[v] = p[1];
         return x;
     };
-    const Point at{dice.real(1, size[u] - 3.5), dice.real(1, size[v] - 3.5)};
+    const Point at{grid(dice, 1, size[u] - 3.5), grid(dice, 1, size[v] - 3.5)};
     const std::array<double, 3> along = place({0, 0}, depth + 1);
     const std::vector<Point> corners = outline(dice, size[u], at);
     if (corners.empty()) {
         const auto c = place({at[0] + 1, at[1] + 1}, base);
-        return {{3, occ::addCylinder(c[0], c[1], c[2], along[0], along[1], along[2], dice.real(0.5, 1))}};
+        return {{3, occ::addCylinder(c[0], c[1], c[2], along[0], along[1], along[2], grid(dice, 0.5, 1))}};
     }
     std::vector<int> points;
     std::vector<int> lines;
@@ -107,7 +92,7 @@ bool write_part(unsigned seed, const std::string& file) {
     Dice dice(seed);
     gmsh::initialize();
     gmsh::option::setNumber("General.Terminal", 0);
-    const std::array<double, 3> size{dice.real(8, 12), dice.real(8, 12), dice.real(6, 10)};
+    const std::array<double, 3> size{grid(dice, 8, 12), grid(dice, 8, 12), grid(dice, 6, 10)};
     gmsh::vectorpair solid{{3, occ::addBox(0, 0, 0, size[0], size[1], size[2])}};
     const int count = 1 + dice.below(4);
     const bool one_side = dice.coin();
@@ -127,18 +112,12 @@ bool write_part(unsigned seed, const std::string& file) {
 }  // namespace
 
 TEST_CASE("random machined parts are meshed, or refused with a reason") {
-    unsigned first = 1;
-    unsigned count = 6;
-    if (const char* given = std::getenv("PAVIOR_PARTS")) {
-        const std::string text = given;
-        first = static_cast<unsigned>(std::stoul(text));
-        count = static_cast<unsigned>(std::stoul(text.substr(text.find(':') + 1)));
-    }
+    const Seeds range = seeds("PAVIOR_PARTS", 6);
     const std::string part = scratch_file("part.brep");
     const std::string mesh = scratch_file("part.vtu");
     const std::string report = scratch_file("part.json");
     std::array<unsigned, 4> totals{};  // by exit code
-    for (unsigned seed = first; seed < first + count; ++seed) {
+    for (unsigned seed = range.first; seed <= range.last(); ++seed) {
         CAPTURE(seed);
         if (!write_part(seed, part)) {
             continue;

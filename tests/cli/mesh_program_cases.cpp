@@ -1,13 +1,12 @@
 // `pavior mesh` as its users see it: which method, exit codes, reasons, reports.
 #include "support/catch.hpp"
+#include "support/occ_solids.hpp"
 #include "support/program.hpp"
 
 #include <pavior/core/stopwatch.hpp>
 #include <pavior/io/mesh_file.hpp>
 #include <pavior/mesh/quality.hpp>
 #include <pavior/mesh/verify_hexes.hpp>
-
-#include <gmsh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,6 +51,19 @@ nlohmann::json tried(const nlohmann::json& json, const std::string& method) {
         }
     }
     return {};
+}
+
+/// Writes what \p make makes with the CAD kernel to a file; its name.
+template <class Make>
+std::string made(const std::string& name, Make&& make) {
+    const std::string file = scratch_file(name);
+    gmsh::initialize();
+    gmsh::option::setNumber("General.Terminal", 0);
+    make();
+    occ::synchronize();
+    gmsh::write(file);
+    gmsh::finalize();
+    return file;
 }
 
 }  // namespace
@@ -233,15 +245,11 @@ TEST_CASE("mesh: solids apart from each other get each its own method") {
 }
 
 TEST_CASE("mesh: one of several solids becomes blocks, the others do not notice") {
-    const std::string model = scratch_file("block_and_box.brep");
-    gmsh::initialize();
-    gmsh::option::setNumber("General.Terminal", 0);
-    gmsh::vectorpair solids;
-    (void)gmsh::model::occ::addBox(30, 0, 0, 4, 3, 2);
-    gmsh::model::occ::importShapes(example("mfcad/1-4-4-4-14-23.step"), solids);
-    gmsh::model::occ::synchronize();
-    gmsh::write(model);
-    gmsh::finalize();
+    const std::string model = made("block_and_box.brep", [] {
+        gmsh::vectorpair solids;
+        (void)occ::addBox(30, 0, 0, 4, 3, 2);
+        occ::importShapes(example("mfcad/1-4-4-4-14-23.step"), solids);
+    });
     const std::string mesh = scratch_file("block_and_box.vtu");
     const std::string report = scratch_file("block_and_box.json");
     const ProgramRun run = run_program("mesh " + model + " --size 2 --quiet -o " + mesh + " --report " + report);
@@ -258,27 +266,22 @@ TEST_CASE("mesh: one of several solids becomes blocks, the others do not notice"
 }
 
 TEST_CASE("mesh: shallow creases between plane faces are features of the blocks") {
-    const std::string model = scratch_file("creased.brep");
-    gmsh::initialize();
-    gmsh::option::setNumber("General.Terminal", 0);
-    // a flat roof over a box with a corner cut off from below
-    std::vector<int> points;
-    std::vector<int> lines;
-    for (const auto& [x, z] : {std::pair(0.0, 0.0), {6.0, 0.0}, {6.0, 3.0}, {3.0, 3.9}, {0.0, 3.0}}) {
-        points.push_back(gmsh::model::occ::addPoint(x, 0, z));
-    }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        lines.push_back(gmsh::model::occ::addLine(points[i], points[(i + 1) % points.size()]));
-    }
-    gmsh::vectorpair house;
-    gmsh::model::occ::extrude({{2, gmsh::model::occ::addPlaneSurface({gmsh::model::occ::addCurveLoop(lines)})}}, 0, 6,
-                              0, house);
-    gmsh::vectorpair cut;
-    std::vector<gmsh::vectorpair> map;
-    gmsh::model::occ::cut({house.at(1)}, {{3, gmsh::model::occ::addBox(4, 4, -1, 3, 3, 2)}}, cut, map);
-    gmsh::model::occ::synchronize();
-    gmsh::write(model);
-    gmsh::finalize();
+    const std::string model = made("creased.brep", [] {
+        // a flat roof over a box with a corner cut off from below
+        std::vector<int> points;
+        std::vector<int> lines;
+        for (const auto& [x, z] : {std::pair(0.0, 0.0), {6.0, 0.0}, {6.0, 3.0}, {3.0, 3.9}, {0.0, 3.0}}) {
+            points.push_back(occ::addPoint(x, 0, z));
+        }
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            lines.push_back(occ::addLine(points[i], points[(i + 1) % points.size()]));
+        }
+        gmsh::vectorpair house;
+        occ::extrude({{2, occ::addPlaneSurface({occ::addCurveLoop(lines)})}}, 0, 6, 0, house);
+        gmsh::vectorpair cut;
+        std::vector<gmsh::vectorpair> map;
+        occ::cut({house.at(1)}, {{3, occ::addBox(4, 4, -1, 3, 3, 2)}}, cut, map);
+    });
     const std::string mesh = scratch_file("creased.vtu");
     const ProgramRun run = run_program("mesh " + model + " --size 1 --method block --explain -o " + mesh);
     CAPTURE(run.err);
@@ -290,24 +293,20 @@ TEST_CASE("mesh: shallow creases between plane faces are features of the blocks"
 }
 
 TEST_CASE("mesh: a bend whose radius changes is swept round its axis") {
-    const std::string model = scratch_file("bend.brep");
-    gmsh::initialize();
-    gmsh::option::setNumber("General.Terminal", 0);
-    gmsh::vectorpair pieces;
-    for (const auto& [radius, from] : {std::pair(1.0, 0.0), {1.6, 0.8}}) {
-        const int disc = gmsh::model::occ::addDisk(4, 0, 0, radius, radius);
-        gmsh::model::occ::rotate({{2, disc}}, 4, 0, 0, 1, 0, 0, 0.5 * std::numbers::pi);
-        gmsh::model::occ::rotate({{2, disc}}, 0, 0, 0, 0, 0, 1, from);
-        gmsh::vectorpair out;
-        gmsh::model::occ::revolve({{2, disc}}, 0, 0, 0, 0, 0, 1, 0.8, out);
-        pieces.push_back(out.at(1));
-    }
-    gmsh::vectorpair solid;
-    std::vector<gmsh::vectorpair> map;
-    gmsh::model::occ::fuse({pieces[0]}, {pieces[1]}, solid, map);
-    gmsh::model::occ::synchronize();
-    gmsh::write(model);
-    gmsh::finalize();
+    const std::string model = made("bend.brep", [] {
+        gmsh::vectorpair pieces;
+        for (const auto& [radius, from] : {std::pair(1.0, 0.0), {1.6, 0.8}}) {
+            const int disc = occ::addDisk(4, 0, 0, radius, radius);
+            occ::rotate({{2, disc}}, 4, 0, 0, 1, 0, 0, 0.5 * std::numbers::pi);
+            occ::rotate({{2, disc}}, 0, 0, 0, 0, 0, 1, from);
+            gmsh::vectorpair out;
+            occ::revolve({{2, disc}}, 0, 0, 0, 0, 0, 1, 0.8, out);
+            pieces.push_back(out.at(1));
+        }
+        gmsh::vectorpair solid;
+        std::vector<gmsh::vectorpair> map;
+        occ::fuse({pieces[0]}, {pieces[1]}, solid, map);
+    });
     const std::string mesh = scratch_file("bend.vtu");
     const std::string report = scratch_file("bend.json");
     const ProgramRun run = run_program("mesh " + model + " --size 0.5 --explain -o " + mesh + " --report " + report);

@@ -1,6 +1,8 @@
 #include <pavior/model/mixed_solids.hpp>
 
 #include "support/catch.hpp"
+#include "support/dice.hpp"
+#include "support/occ_solids.hpp"
 
 #include <pavior/cad/cap_mesh.hpp>
 #include <pavior/cad/gmsh_brep.hpp>
@@ -8,31 +10,12 @@
 #include <pavior/imprint/imprint.hpp>
 #include <pavior/mesh/verify_hexes.hpp>
 
-#include <gmsh.h>
-
-#include <cstdlib>
 #include <iostream>
-#include <random>
 
 using namespace pavior;
+using namespace pavior::test;
 
 namespace {
-
-namespace occ = gmsh::model::occ;
-
-int cut(int from, const gmsh::vectorpair& tools) {
-    gmsh::vectorpair result;
-    std::vector<gmsh::vectorpair> map;
-    occ::cut({{3, from}}, tools, result, map);
-    return result.at(0).second;
-}
-
-void share_faces(const gmsh::vectorpair& solids) {
-    gmsh::vectorpair shared;
-    std::vector<gmsh::vectorpair> map;
-    occ::fragment({solids.front()}, {solids.begin() + 1, solids.end()}, shared, map);
-    occ::synchronize();
-}
 
 int plate_with_blind_hole() {
     return cut(occ::addBox(0, 0, 0, 6, 6, 2), {{3, occ::addCylinder(2.2, 2, 1, 0, 0, 1, 1)}});
@@ -45,10 +28,7 @@ int stepped_block() {
 }
 
 MixedSolids meshed(const GmshBrep& model, double size, Execution execution = sequential) {
-    std::vector<SolidId> solids;
-    for (std::size_t s = 0; s < model.solid_count(); ++s) {
-        solids.push_back(SolidId{static_cast<std::int32_t>(s)});
-    }
+    const std::vector<SolidId> solids = all_solids(model);
     const auto solver = [](const IntegerProgram& program) { return solve(program, {5, 1e-3}); };
     MixedOptions options;
     options.execution = execution;
@@ -123,16 +103,6 @@ TEST_CASE("solids that stay apart are meshed one by one, a solid that nothing me
 
 namespace {
 
-class Dice {
-public:
-    explicit Dice(unsigned seed) : engine_(seed) {}
-    double real(double low, double high) { return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0; }
-    int whole(int low, int high) { return low + static_cast<int>(real(0, 1) * (high - low + 1)); }
-
-private:
-    std::mt19937 engine_;
-};
-
 /// Something that stands on the square of side 3 at (x, y), z = 2.
 int stand(Dice& dice, double x, double y) {
     const double d = dice.real(0.1, 0.8);
@@ -185,16 +155,10 @@ void make_assembly(unsigned seed) {
 }  // namespace
 
 TEST_CASE("random assemblies are meshed, conforming, or refused with a reason") {
-    unsigned first = 1;
-    unsigned count = 12;
-    if (const char* given = std::getenv("PAVIOR_FUZZ")) {
-        const std::string text = given;
-        first = static_cast<unsigned>(std::stoul(text));
-        count = static_cast<unsigned>(std::stoul(text.substr(text.find(':') + 1)));
-    }
+    const Seeds range = seeds("PAVIOR_FUZZ", 12);
     unsigned valid = 0;
-    unsigned asked = count;
-    for (unsigned seed = first; seed < first + count; ++seed) {
+    unsigned asked = range.count;
+    for (unsigned seed = range.first; seed <= range.last(); ++seed) {
         CAPTURE(seed);
         try {
             const GmshBrep model = GmshBrep::build([&] { make_assembly(seed); });

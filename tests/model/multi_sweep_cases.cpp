@@ -1,6 +1,8 @@
 // Random 2.5D solids, built by the CAD kernel, through the many-to-many sweep. With PAVIOR_FUZZ=first:count in the
 // environment other seeds are tried. Each seed is printed with what came of it.
 #include "support/catch.hpp"
+#include "support/dice.hpp"
+#include "support/occ_solids.hpp"
 
 #include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/cad/region_quads.hpp>
@@ -10,37 +12,20 @@
 #include <pavior/model/integer_program.hpp>
 #include <pavior/model/multi_sweep_model.hpp>
 
-#include <gmsh.h>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdint>
-#include <cstdlib>
 #include <iostream>
 #include <numbers>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
 using namespace pavior;
+using namespace pavior::test;
 
 namespace {
-
-namespace occ = gmsh::model::occ;
-
-/// Numbers that do not depend on the standard library.
-class Dice {
-public:
-    explicit Dice(unsigned seed) : engine_(seed) {}
-    double real(double low, double high) { return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0; }
-    int whole(int low, int high) { return low + static_cast<int>(real(0, 1) * (high - low + 1)); }
-
-private:
-    std::mt19937 engine_;
-};
 
 /// A box, a cylinder or a prism over a polygon between two levels.
 std::pair<int, int> piece(Dice& dice, double z0, double z1) {
@@ -137,11 +122,10 @@ double quality_of(const BestMultiSweep& best) { return hex_quality(best.mesh->me
 
 Outcome try_seed(unsigned seed, std::string& text) {
     const GmshBrep model = GmshBrep::build([&] { make_solid(seed); });
-    std::vector<SolidId> solids;
+    const std::vector<SolidId> solids = all_solids(model);
     double volume = 0;
-    for (std::size_t s = 0; s < model.solid_count(); ++s) {
-        solids.push_back(SolidId{static_cast<std::int32_t>(s)});
-        volume += model.solid_volume(solids.back());
+    for (const SolidId solid : solids) {
+        volume += model.solid_volume(solid);
     }
     MultiSweepOptions options;
     options.size = 1;
@@ -189,21 +173,15 @@ Outcome try_and_print(unsigned seed) {
 }  // namespace
 
 TEST_CASE("random extruded solids are meshed") {
-    unsigned first = 1;
-    unsigned count = 6;
-    if (const char* given = std::getenv("PAVIOR_FUZZ")) {
-        const std::string text = given;
-        first = static_cast<unsigned>(std::stoul(text));
-        count = static_cast<unsigned>(std::stoul(text.substr(text.find(':') + 1)));
-    }
+    const Seeds range = seeds("PAVIOR_FUZZ", 6);
     std::array<unsigned, 3> totals{};
-    for (unsigned seed = first; seed < first + count; ++seed) {
+    for (unsigned seed = range.first; seed <= range.last(); ++seed) {
         CAPTURE(seed);
         ++totals[static_cast<std::size_t>(try_and_print(seed))];
     }
-    std::cerr << "of " << count << " random solids " << totals[0] << " valid, " << totals[1] << " refused, "
+    std::cerr << "of " << range.count << " random solids " << totals[0] << " valid, " << totals[1] << " refused, "
               << totals[2] << " invalid\n";
-    CHECK(10 * totals[0] >= 9 * count);
+    CHECK(10 * totals[0] >= 9 * range.count);
     CHECK(totals[2] == 0);
 }
 

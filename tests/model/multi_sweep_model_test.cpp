@@ -1,5 +1,6 @@
 #include "support/catch.hpp"
 #include "support/extruded_cases.hpp"
+#include "support/occ_solids.hpp"
 #include "support/test_brep.hpp"
 
 #include <pavior/cad/region_quads.hpp>
@@ -11,18 +12,10 @@ using namespace pavior::test;
 
 namespace {
 
-std::vector<SolidId> solids(const TestBrep& b) {
-    std::vector<SolidId> result;
-    for (std::size_t s = 0; s < b.solid_count(); ++s) {
-        result.push_back(SolidId{static_cast<std::int32_t>(s)});
-    }
-    return result;
-}
-
 BestMultiSweep best(const TestBrep& b, double size) {
     MultiSweepOptions options;
     options.size = size;
-    return best_multi_sweep(b, solids(b), options, imprint, solved, GmshRegionMesher{}, [] { return false; });
+    return best_multi_sweep(b, all_solids(b), options, imprint, solved, GmshRegionMesher{}, [] { return false; });
 }
 
 /// The quads of each face lie on it, about its own normal.

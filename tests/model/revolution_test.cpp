@@ -1,6 +1,8 @@
 #include <pavior/model/revolution.hpp>
 
 #include "support/catch.hpp"
+#include "support/dice.hpp"
+#include "support/occ_solids.hpp"
 #include "support/test_brep.hpp"
 
 #include <pavior/cad/gmsh_brep.hpp>
@@ -11,29 +13,15 @@
 #include <pavior/model/integer_program.hpp>
 #include <pavior/model/multi_sweep_model.hpp>
 
-#include <gmsh.h>
-
 #include <iostream>
 #include <numbers>
-#include <random>
 
 using namespace pavior;
+using namespace pavior::test;
 
 namespace {
 
-namespace occ = gmsh::model::occ;
-
 constexpr double pi = std::numbers::pi;
-
-class Dice {
-public:
-    explicit Dice(unsigned seed) : engine_(seed) {}
-    double real(double low, double high) { return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0; }
-    int whole(int low, int high) { return low + static_cast<int>(real(0, 1) * (high - low + 1)); }
-
-private:
-    std::mt19937 engine_;
-};
 
 /// A disc of radius r round (x, 0, z) in the x-z plane, turned about the z axis from one angle to another, in degrees.
 std::pair<int, int> bent_pipe(double r, double x, double z, double from, double to) {
@@ -91,14 +79,6 @@ void make_bend(unsigned seed) {
                                   dice.whole(0, 1) == 0 ? angle + 1 : 0.5 * (first + angle)));
     }
     combine(pieces, holes, dice);
-}
-
-std::vector<SolidId> all_solids(const GmshBrep& model) {
-    std::vector<SolidId> solids;
-    for (std::size_t s = 0; s < model.solid_count(); ++s) {
-        solids.push_back(SolidId{static_cast<std::int32_t>(s)});
-    }
-    return solids;
 }
 
 BestMultiSweep swept(const GmshBrep& model, double size) {
@@ -233,16 +213,10 @@ TEST_CASE("a pipe bend with a flange and a collar is swept round its axis") {
 }
 
 TEST_CASE("random bends of changing radius are swept round their axis") {
-    unsigned first = 1;
-    unsigned count = 6;
-    if (const char* given = std::getenv("PAVIOR_FUZZ")) {
-        const std::string text = given;
-        first = static_cast<unsigned>(std::stoul(text));
-        count = static_cast<unsigned>(std::stoul(text.substr(text.find(':') + 1)));
-    }
+    const Seeds range = seeds("PAVIOR_FUZZ", 6);
     unsigned valid = 0;
     unsigned asked = 0;
-    for (unsigned seed = first; seed < first + count; ++seed) {
+    for (unsigned seed = range.first; seed <= range.last(); ++seed) {
         CAPTURE(seed);
         std::optional<GmshBrep> model;
         try {

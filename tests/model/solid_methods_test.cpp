@@ -1,24 +1,15 @@
 #include <pavior/model/solid_methods.hpp>
 
 #include "support/catch.hpp"
+#include "support/occ_solids.hpp"
 
 #include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/model/integer_program.hpp>
 
-#include <gmsh.h>
-
 using namespace pavior;
+using namespace pavior::test;
 
 namespace {
-
-namespace occ = gmsh::model::occ;
-
-int cut(int from, const gmsh::vectorpair& tools) {
-    gmsh::vectorpair result;
-    std::vector<gmsh::vectorpair> map;
-    occ::cut({{3, from}}, tools, result, map);
-    return result.at(0).second;
-}
 
 /// A stepped block, which can only be submapped, a plate with a blind hole, a box beside the block, a cylinder.
 void make_kinds() {
@@ -28,21 +19,10 @@ void make_kinds() {
     const int plate = cut(occ::addBox(9, 0, 0, 4, 4, 2), {{3, occ::addCylinder(11, 2, 1, 0, 0, 1, 1)}});
     const int box = occ::addBox(4, 0, 0, 2, 1.5, 1.5);
     const int cylinder = occ::addCylinder(0, 0, 9, 2, 0, 0, 0.4);
-    gmsh::vectorpair shared;
-    std::vector<gmsh::vectorpair> map;
-    occ::fragment({{3, block}}, {{3, plate}, {3, box}, {3, cylinder}}, shared, map);
-    occ::synchronize();
+    share_faces({{3, block}, {3, plate}, {3, box}, {3, cylinder}});
 }
 
 const auto solver = [](const IntegerProgram& program) { return solve(program, {5, 1e-3}); };
-
-std::vector<SolidId> solids_of(const GmshBrep& model) {
-    std::vector<SolidId> solids;
-    for (std::size_t s = 0; s < model.solid_count(); ++s) {
-        solids.push_back(SolidId{static_cast<std::int32_t>(s)});
-    }
-    return solids;
-}
 
 /// The face of a solid at x.
 FaceId face_at(const GmshBrep& model, SolidId solid, double x) {
@@ -75,7 +55,7 @@ BoundaryMesh unstructured_on(const GmshBrep& model, FaceId f) {
 
 TEST_CASE("what solids admit, and what is chosen") {
     const GmshBrep model = GmshBrep::build(make_kinds);
-    std::vector<SolidWays> ways = solid_ways(model, solids_of(model), solver);
+    std::vector<SolidWays> ways = solid_ways(model, all_solids(model), solver);
     REQUIRE(ways.size() == 4);
     const SolidWays& block = ways[0];
     const SolidWays& plate = ways[1];
@@ -100,12 +80,9 @@ TEST_CASE("a mesh that is no grid is handed on from cap to cap") {
         const int a = occ::addBox(0, 0, 0, 1, 3, 2);
         const int b = occ::addBox(1, 0, 0, 1, 3, 2);
         const int c = occ::addBox(2, 0, 0, 5, 3, 2);
-        gmsh::vectorpair shared;
-        std::vector<gmsh::vectorpair> map;
-        occ::fragment({{3, a}}, {{3, b}, {3, c}}, shared, map);
-        occ::synchronize();
+        share_faces({{3, a}, {3, b}, {3, c}});
     });
-    const std::vector<SolidWays> ways = solid_ways(model, solids_of(model), solver);
+    const std::vector<SolidWays> ways = solid_ways(model, all_solids(model), solver);
     BoundaryMesh given = unstructured_on(model, face_at(model, SolidId{0}, 0));
     const MethodChoice choice = choose_methods(model, ways, given, true);
     CHECK(choice.submaps.empty());
@@ -120,7 +97,7 @@ TEST_CASE("a mesh that is no grid is handed on from cap to cap") {
 
 TEST_CASE("a solid with no sweep that fits is refused, and the face named") {
     const GmshBrep model = GmshBrep::build(make_kinds);
-    std::vector<SolidWays> ways = solid_ways(model, solids_of(model), solver);
+    std::vector<SolidWays> ways = solid_ways(model, all_solids(model), solver);
     const SolidWays cylinder = ways[3];
     BoundaryMesh given = mesh_edges(model, std::vector<int>(model.edge_count(), 0));
     FaceId wall;

@@ -3,6 +3,7 @@
 /// Touching solids, each meshed by the method that suits it, conforming.
 
 #include <pavior/core/execution.hpp>
+#include <pavior/mesh/append_mesh.hpp>
 #include <pavior/model/given_boundary.hpp>
 #include <pavior/model/mixed_model.hpp>
 #include <pavior/model/multi_sweep_model.hpp>
@@ -39,18 +40,7 @@ namespace detail {
 
 /// Appends the mesh of one group.
 inline void append_group(MixedSolids& result, const MultiSweptModel& group) {
-    const auto shift = static_cast<Index>(result.mesh.nodes.size());
-    const auto append = [&](const auto& from, auto& to) {
-        for (auto corners : from) {
-            for (Index& node : corners) {
-                node += shift;
-            }
-            to.push_back(corners);
-        }
-    };
-    result.mesh.nodes.insert(result.mesh.nodes.end(), group.mesh.nodes.begin(), group.mesh.nodes.end());
-    append(group.mesh.hexes, result.mesh.hexes);
-    append(group.quads, result.quads);
+    append_mesh(group.mesh, group.quads, result.mesh, result.quads);
     result.hex_solid.insert(result.hex_solid.end(), group.hex_solid.begin(), group.hex_solid.end());
     result.quad_face.insert(result.quad_face.end(), group.quad_face.begin(), group.quad_face.end());
 }

@@ -1,0 +1,40 @@
+#pragma once
+// Solids made with the CAD kernel behind Gmsh.
+#include <pavior/model/brep.hpp>
+
+#include <gmsh.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pavior::test {
+
+namespace occ = gmsh::model::occ;
+
+/// One solid minus others.
+inline int cut(int from, const gmsh::vectorpair& tools) {
+    gmsh::vectorpair result;
+    std::vector<gmsh::vectorpair> map;
+    occ::cut({{3, from}}, tools, result, map);
+    return result.at(0).second;
+}
+
+/// Makes touching solids share their faces.
+inline void share_faces(const gmsh::vectorpair& solids) {
+    gmsh::vectorpair shared;
+    std::vector<gmsh::vectorpair> map;
+    occ::fragment({solids.front()}, {solids.begin() + 1, solids.end()}, shared, map);
+    occ::synchronize();
+}
+
+template <brep B>
+std::vector<SolidId> all_solids(const B& model) {
+    std::vector<SolidId> solids;
+    for (std::size_t s = 0; s < model.solid_count(); ++s) {
+        solids.push_back(SolidId{static_cast<std::int32_t>(s)});
+    }
+    return solids;
+}
+
+}  // namespace pavior::test
