@@ -175,7 +175,8 @@ private:
 
 /// Chooses a method for each of \p ways, none of which may be only_multi_sweep(): solids at faces of \p given, and at
 /// faces that inherit such a mesh through a sweep, are swept so that these are caps, or linking sides with grids on
-/// them; the others are submapped where they can be (\p prefer_submap) or where they cannot be swept, else swept.
+/// them, or submapped where no sweep fits. The others are submapped where they can be (\p prefer_submap) or where they
+/// cannot be swept, else swept.
 /// Grids of \p given are put in order (structure_side()). O(solids squared) in the worst case.
 /// \throws UnmeshableError not_sweepable naming the faces that a solid cannot be fitted to
 template <brep B>
