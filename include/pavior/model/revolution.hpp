@@ -5,7 +5,8 @@
 #include <pavior/model/edge_mesh.hpp>
 #include <pavior/model/extrusion.hpp>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <Eigen/SVD>
 
 #include <algorithm>
