@@ -41,11 +41,12 @@ CadTriangulation triangulate_for(const BlockCommand& command) {
 }
 
 /// The triangles on some faces, with what lies on them.
-TaggedSurface part_of(const TaggedSurface& surface, const std::vector<int>& faces) {
+TaggedSurface part_of(const TaggedSurface& surface, std::vector<int> faces) {
+    std::sort(faces.begin(), faces.end());
     TaggedSurface part;
     std::vector<Index> number(surface.mesh.nodes.size(), no_index);
     for (std::size_t t = 0; t < surface.mesh.triangles.size(); ++t) {
-        if (std::find(faces.begin(), faces.end(), surface.face_tags[t]) == faces.end()) {
+        if (!std::binary_search(faces.begin(), faces.end(), surface.face_tags[t])) {
             continue;
         }
         auto corners = surface.mesh.triangles[t];

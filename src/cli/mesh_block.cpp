@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 #include <sstream>
 
 namespace pavior::cli {
@@ -15,11 +16,11 @@ bool has_shallow_crease(const GmshBrep& model, SolidId solid) {
     std::map<EdgeId, Vec3> normals;
     bool crease = false;
     for (const OrientedFace& f : model.solid_faces(solid)) {
-        if (model.face_kind(f.face) != "Plane") {
+        const std::optional<Plane> plane = plane_of(model, f.face);
+        if (!plane) {
             return false;
         }
-        const auto [du, dv] = model.face_derivatives(f.face, model.face_interior(f.face));
-        const Vec3 normal = (f.outward ? 1.0 : -1.0) * du.cross(dv).normalized();
+        const Vec3 normal = f.outward ? plane->normal : Vec3(-plane->normal);
         for (const EdgeLoop& loop : model.face_loops(f.face)) {
             for (const OrientedEdge& use : loop) {
                 const auto [other, first] = normals.emplace(use.edge, normal);

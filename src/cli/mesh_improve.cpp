@@ -19,20 +19,6 @@ namespace pavior::cli {
 
 namespace {
 
-struct Plane {
-    Vec3 point, normal;  ///< unit normal
-};
-
-/// The plane of a face, nothing for curved ones.
-std::optional<Plane> plane_of(const GmshBrep& model, FaceId face) {
-    if (model.face_kind(face) != "Plane") {
-        return std::nullopt;
-    }
-    const Vec2 uv = model.face_interior(face);
-    const auto [du, dv] = model.face_derivatives(face, uv);
-    return Plane{model.face_point(face, uv), du.cross(dv).normalized()};
-}
-
 /// The node_guide of a mesh on plane faces: nodes inside a face slide in its plane, those on an edge between two slide
 /// along it; those on vertices and curved faces are fixed.
 class PlaneGuide {
@@ -125,6 +111,15 @@ private:
 };
 
 }  // namespace
+
+std::optional<Plane> plane_of(const GmshBrep& model, FaceId face) {
+    if (model.face_kind(face) != "Plane") {
+        return std::nullopt;
+    }
+    const Vec2 uv = model.face_interior(face);
+    const auto [du, dv] = model.face_derivatives(face, uv);
+    return Plane{model.face_point(face, uv), du.cross(dv).normalized()};
+}
 
 void improve_poor_mesh(const GmshBrep& model, const MeshCommand& command, MethodTry& result) {
     constexpr double enough = 0.3;

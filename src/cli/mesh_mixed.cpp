@@ -5,7 +5,6 @@
 #include <pavior/cad/cap_mesh.hpp>
 #include <pavior/cad/region_quads.hpp>
 #include <pavior/imprint/imprint.hpp>
-#include <pavior/model/integer_program.hpp>
 #include <pavior/model/mixed_solids.hpp>
 
 namespace pavior::cli {
@@ -30,11 +29,10 @@ void try_mixed(const GmshBrep& model, std::span<const SolidId> solids, const Mes
     MixedOptions options;
     options.size = mesh_size(model, command);
     options.execution = Execution{command.threads};
-    const auto solver = [](const IntegerProgram& program) { return solve(program, {10, 1e-3}); };
     MixedSolids mesh = with_finer_sizes(options.size, result.warnings, [&](double size, int min_loop) {
         options.size = size;
         options.min_loop = min_loop;
-        return mixed_solids(model, solids, options, imprint, solver, GmshRegionMesher{}, GmshCapMesher{&model},
+        return mixed_solids(model, solids, options, imprint, solve_shortly, GmshRegionMesher{}, GmshCapMesher{&model},
                             out_of_time);
     });
     result.details["solids"] = Json::array();

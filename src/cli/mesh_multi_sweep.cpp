@@ -4,7 +4,6 @@
 
 #include <pavior/cad/region_quads.hpp>
 #include <pavior/imprint/imprint.hpp>
-#include <pavior/model/integer_program.hpp>
 #include <pavior/model/multi_sweep_model.hpp>
 
 #include <optional>
@@ -70,8 +69,8 @@ void try_multi_sweep(const GmshBrep& model, std::span<const SolidId> solids, con
     MultiSweepOptions options;
     options.size = mesh_size(model, command);
     options.execution = Execution{command.threads};
-    const auto solver = [](const IntegerProgram& program) { return solve(program, {10, 1e-3}); };
-    BestMultiSweep best = best_multi_sweep(model, solids, options, imprint, solver, GmshRegionMesher{}, out_of_time);
+    BestMultiSweep best =
+        best_multi_sweep(model, solids, options, imprint, solve_shortly, GmshRegionMesher{}, out_of_time);
     result.details["attempts"] = Json::array();
     for (const MultiSweepAttempt& attempt : best.attempts) {
         Json json{{"merge", attempt.merge}, {"chord", attempt.chord}};

@@ -121,6 +121,16 @@ constexpr std::array<NamedCase, 12> named_cases{{{"c01_brick_tapered", {8, 27}, 
                                                  {"c17_notch_reversal", {32, 81}, {32, 81}},
                                                  {"c20_cylinder", {24, 51}, {24, 51}}}};
 
+using test::circle;
+using test::rings;
+using test::square;
+
+struct Solid {
+    const char* name;
+    TriMesh surface;
+    test::BlockCount want;
+};
+
 }  // namespace
 
 TEST_CASE("the solids of the collection have their blocks on every reference mesh, turned or not") {
@@ -143,14 +153,6 @@ TEST_CASE("stopped sheets: the solids of the collection, and never more blocks")
 }
 
 TEST_CASE("round solids have their blocks on every reference mesh") {
-    using test::circle;
-    using test::rings;
-    using test::square;
-    struct Solid {
-        const char* name;
-        TriMesh surface;
-        test::BlockCount want;
-    };
     const std::vector<Solid> solids{
         {"cylinder", rings({circle(24, 1, 0), circle(24, 1, 2)}, false), {24, 51}},
         {"tube", rings({circle(24, 1, 0), circle(24, 1, 2), circle(24, 0.5, 2), circle(24, 0.5, 0)}, true), {32, 72}},
@@ -182,14 +184,6 @@ TEST_CASE("round solids have their blocks on every reference mesh") {
 }
 
 TEST_CASE("solids on the limits have their blocks on every reference mesh") {
-    using test::circle;
-    using test::rings;
-    using test::square;
-    struct Solid {
-        const char* name;
-        TriMesh surface;
-        test::BlockCount want;
-    };
     TriMesh spire = rings({square(24, 1.5, 0), square(24, 1.5, 1), circle(24, 1, 1)}, false);
     spire.nodes.back()[2] = 2;  // on a sphere with its base circle
     const std::vector<Solid> solids{

@@ -11,9 +11,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <span>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace pavior {
@@ -113,6 +116,32 @@ template <brep B>
 
 namespace detail {
 
+/// Quads seen from the other side.
+[[nodiscard]] inline std::vector<QuadCorners> flipped(std::vector<QuadCorners> quads) {
+    for (QuadCorners& quad : quads) {
+        std::swap(quad[1], quad[3]);
+    }
+    return quads;
+}
+
+/// Ids to positions in a list of ids.
+class PositionOf {
+public:
+    explicit PositionOf(std::span<const Index> ids) {
+        positions_.reserve(ids.size());
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            positions_.emplace(ids[i], static_cast<Index>(i));
+        }
+    }
+    [[nodiscard]] Index operator()(Index id) const {
+        const auto found = positions_.find(id);
+        return found == positions_.end() ? no_node : found->second;
+    }
+
+private:
+    std::unordered_map<Index, Index> positions_;
+};
+
 /// Numbers nodes in the order in which they are first used, after the first \p kept ones, which keep their numbers.
 class Renumbering {
 public:
@@ -134,6 +163,22 @@ private:
     std::vector<Vec3>& nodes_;
     std::vector<Index> number_;
 };
+
+/// Appends the meshes of the faces, but for those for which left_out(face) is true, to the quads of a Result.
+template <class Result, class LeftOut>
+void append_faces(Result& result, const BoundaryMesh& mesh, Renumbering& number, LeftOut&& left_out) {
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        const FaceId id{static_cast<std::int32_t>(f)};
+        if (left_out(id)) {
+            continue;
+        }
+        const std::vector<Index>& ids = mesh.faces[f].nodes;
+        for (const QuadCorners& q : mesh.faces[f].quads) {
+            result.quads.push_back({number(ids[q[0]]), number(ids[q[1]]), number(ids[q[2]]), number(ids[q[3]])});
+            result.quad_face.push_back(id);
+        }
+    }
+}
 
 }  // namespace detail
 

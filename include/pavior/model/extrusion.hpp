@@ -73,17 +73,23 @@ template <brep B>
     return samples;
 }
 
-/// Unit normals (d/du x d/dv) of a face at its samples, degenerate points left out.
-template <brep B>
-[[nodiscard]] std::vector<Vec3> face_normals(const B& b, FaceId face) {
-    std::vector<Vec3> normals;
+/// Calls visit(uv, normal) with the unit normal (d/du x d/dv) at each sample of a face, degenerate points left out.
+template <brep B, class Visit>
+void for_each_normal(const B& b, FaceId face, Visit&& visit) {
     for (const Vec2& uv : face_samples(b, face)) {
         const auto [du, dv] = b.face_derivatives(face, uv);
         const Vec3 normal = du.cross(dv);
         if (normal.norm() > 1e-12 * du.norm() * dv.norm() && normal.allFinite()) {
-            normals.push_back(normal.normalized());
+            visit(uv, Vec3(normal.normalized()));
         }
     }
+}
+
+/// Unit normals of a face at its samples.
+template <brep B>
+[[nodiscard]] std::vector<Vec3> face_normals(const B& b, FaceId face) {
+    std::vector<Vec3> normals;
+    for_each_normal(b, face, [&](const Vec2&, const Vec3& normal) { normals.push_back(normal); });
     return normals;
 }
 

@@ -21,9 +21,10 @@ struct FaceDistance {
     Index node = 0;
 };
 
+/// The node of \p quads that is farthest from the face of its quad, the first of several equal ones; distance 0 without
+/// quads.
 /// \param faces  the face of each quad
-/// The first of several equal ones; zero distance without quads. O(quads); one closest point a node where the quads of
-/// a face come one after the other.
+/// O(quads); one closest point a node where the quads of a face come one after the other.
 /// \throws InputError size_mismatch
 template <brep B>
 [[nodiscard]] FaceDistance face_distance(const B& body, std::span<const Vec3> nodes, std::span<const QuadCorners> quads,

@@ -4,6 +4,7 @@
 
 #include <pavior/model/boundary_mesh.hpp>
 #include <pavior/model/face_surface.hpp>
+#include <pavior/model/side_grid.hpp>
 #include <pavior/sweep/linking_side.hpp>
 
 #include <cstddef>
@@ -89,12 +90,7 @@ LinkingFaceReport mesh_linking_side(const B& b, BoundaryMesh& mesh, const Linkin
     face.rows = static_cast<int>(grid.nodes.rows);
     face.nodes = detail::grid_ids(mesh, grid.nodes, bottom, right, top, left);
     face.uv = grid.uv.nodes;
-    face.quads = structured_quads(grid.nodes.columns, grid.nodes.rows);
-    if (!side.outward) {
-        for (QuadCorners& quad : face.quads) {
-            std::swap(quad[1], quad[3]);
-        }
-    }
+    face.quads = side_quads(side, grid.nodes.columns, grid.nodes.rows);
     return {f, grid.way, grid.folded_parameter.size(), grid.folded};
 }
 

@@ -6,6 +6,7 @@
 #include <pavior/core/error.hpp>
 #include <pavior/mesh/plane_arrangement.hpp>
 #include <pavior/mesh/plane_region.hpp>
+#include <pavior/sweep/folded_quads.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -111,17 +112,6 @@ inline void part_repeated(const std::vector<Index>& nodes, PlaneRegion& region) 
     });
 }
 
-/// Twice the area within the outer loop, negative if it runs clockwise: where few intervals cut across a thin cell.
-[[nodiscard]] inline double twice_outer_area(const PlaneRegion& region) {
-    double twice = 0;
-    for (std::size_t i = 0; i < region.offsets[1]; ++i) {
-        const Vec2 a = region.points[i] - region.points[0];
-        const Vec2 b = region.points[region.next(0, i)] - region.points[0];
-        twice += a[0] * b[1] - a[1] * b[0];
-    }
-    return twice;
-}
-
 /// Appends the quads of one cell.
 template <region_mesher M>
 void mesh_cell(const PlaneCell& cell, M&& mesher, PlaneMesh& mesh) {
@@ -132,7 +122,7 @@ void mesh_cell(const PlaneCell& cell, M&& mesher, PlaneMesh& mesh) {
         region.points.push_back(mesh.nodes[i]);
     }
     part_repeated(nodes, region);
-    if (!(twice_outer_area(region) > 0)) {
+    if (!(signed_area(std::span(region.points).first(region.offsets[1])) > 0)) {  // few intervals across a thin cell
         throw Error(ErrorCode::cad_failure,
                     "a cell is thinner than the chords of its " + std::to_string(nodes.size()) + " boundary nodes");
     }

@@ -113,14 +113,10 @@ template <brep B>
 void add_axes(const B& b, FaceId face, std::vector<Axis>& axes) {
     std::vector<std::pair<Vec3, Vec3>> samples;
     Vec3 middle = Vec3::Zero();
-    for (const Vec2& uv : face_samples(b, face)) {
-        const auto [du, dv] = b.face_derivatives(face, uv);
-        const Vec3 n = du.cross(dv);
-        if (n.norm() > 1e-12 * du.norm() * dv.norm() && n.allFinite()) {
-            samples.emplace_back(b.face_point(face, uv), n.normalized());
-            middle += samples.back().first;
-        }
-    }
+    for_each_normal(b, face, [&](const Vec2& uv, const Vec3& normal) {
+        samples.emplace_back(b.face_point(face, uv), normal);
+        middle += samples.back().first;
+    });
     if (samples.size() < 6) {
         return;
     }

@@ -5,11 +5,13 @@
 #include <pavior/core/assert.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/model/boundary_mesh.hpp>
+#include <pavior/sweep/transfinite.hpp>
 
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pavior {
@@ -66,6 +68,14 @@ struct GridView {
 }
 
 }  // namespace detail
+
+/// Quads of the structured mesh of a linking side whose rows run along its bottom, counter-clockwise about the face's
+/// own normal.
+[[nodiscard]] inline std::vector<QuadCorners> side_quads(const LinkingSide& side, std::size_t columns,
+                                                         std::size_t rows) {
+    std::vector<QuadCorners> quads = structured_quads(columns, rows);
+    return side.outward ? quads : detail::flipped(std::move(quads));
+}
 
 /// Node ids of the structured mesh of a linking side as the sweep sees it: (rows + 1) x (columns + 1), row by row from
 /// the source, each along the source loop. \throws UnmeshableError not_sweepable if the face is meshed otherwise

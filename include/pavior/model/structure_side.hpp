@@ -5,10 +5,8 @@
 #include <pavior/model/boundary_mesh.hpp>
 #include <pavior/model/match_quads.hpp>
 #include <pavior/model/side_grid.hpp>
-#include <pavior/sweep/transfinite.hpp>
 #include <pavior/sweep/unwrap.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -28,13 +26,10 @@ inline bool structure_side(BoundaryMesh& mesh, const LinkingSide& side, const Pe
     if (bottom.empty() || left.empty() || right.size() != left.size() || columns * rows != face.quads.size()) {
         return false;
     }
-    std::vector<QuadCorners> quads = face.quads;  // as node ids, counter-clockwise seen from outside
+    std::vector<QuadCorners> quads = side.outward ? face.quads : detail::flipped(face.quads);
     for (QuadCorners& quad : quads) {
         for (Index& corner : quad) {
             corner = face.nodes[corner];
-        }
-        if (!side.outward) {
-            std::swap(quad[1], quad[3]);
         }
     }
     const detail::HalfEdgeTable table(quads);
@@ -63,15 +58,10 @@ inline bool structure_side(BoundaryMesh& mesh, const LinkingSide& side, const Pe
         detail::chain_ids(mesh, side.top)) {
         return false;
     }
-    std::vector<std::pair<Index, Vec2>> uv_of;
-    for (std::size_t i = 0; i < face.nodes.size(); ++i) {
-        uv_of.emplace_back(face.nodes[i], face.uv[i]);
-    }
-    const auto by_id = [](const auto& a, const auto& b) { return a.first < b.first; };
-    std::sort(uv_of.begin(), uv_of.end(), by_id);
+    const detail::PositionOf position(face.nodes);
     std::vector<Vec2> uv;
     for (std::size_t n = 0; n < ids.size(); ++n) {
-        uv.push_back(std::lower_bound(uv_of.begin(), uv_of.end(), std::pair(ids[n], Vec2()), by_id)->second);
+        uv.push_back(face.uv[position(ids[n])]);
         if (n > 0) {
             const std::size_t before = n % (columns + 1) > 0 ? n - 1 : n - columns - 1;
             uv.back() += nearest_image_shift(uv.back(), uv[before], periods);
@@ -81,12 +71,7 @@ inline bool structure_side(BoundaryMesh& mesh, const LinkingSide& side, const Pe
     face.rows = static_cast<int>(rows);
     face.nodes = std::move(ids);
     face.uv = std::move(uv);
-    face.quads = structured_quads(columns, rows);
-    if (!side.outward) {
-        for (QuadCorners& quad : face.quads) {
-            std::swap(quad[1], quad[3]);
-        }
-    }
+    face.quads = side_quads(side, columns, rows);
     return true;
 }
 

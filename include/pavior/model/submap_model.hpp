@@ -80,16 +80,11 @@ namespace detail {
 template <brep B>
 void adopt_mesh(const B& b, BoundaryMesh& mesh, FaceId f, const FaceMesh& given) {
     FaceMesh& own = mesh.faces[f.index()];
-    std::vector<std::pair<Index, Index>> position;
-    for (std::size_t i = 0; i < given.nodes.size(); ++i) {
-        position.emplace_back(given.nodes[i], static_cast<Index>(i));
-    }
-    std::sort(position.begin(), position.end());
+    const PositionOf position(given.nodes);
     std::vector<std::pair<Index, Index>> seed;
     for (std::size_t i = 0; i < own.nodes.size(); ++i) {
-        const auto at = std::lower_bound(position.begin(), position.end(), std::pair(own.nodes[i], Index{0}));
-        if (at != position.end() && at->first == own.nodes[i]) {
-            seed.emplace_back(static_cast<Index>(i), at->second);
+        if (const Index at = position(own.nodes[i]); at != no_node) {
+            seed.emplace_back(static_cast<Index>(i), at);
         }
     }
     const auto match = match_quads(own.quads, given.quads, own.nodes.size(), seed);
@@ -185,17 +180,11 @@ template <brep B>
         }
     }
     for (std::size_t f = 0; f < faces.size(); ++f) {
-        if (!faces[f]) {
-            continue;
-        }
-        const FaceId id{static_cast<std::int32_t>(f)};
-        result.faces.push_back({id, faces[f]->folded_harmonic, faces[f]->folded});
-        for (const QuadCorners& q : mesh.faces[f].quads) {
-            const std::vector<Index>& ids = mesh.faces[f].nodes;
-            result.quads.push_back({number(ids[q[0]]), number(ids[q[1]]), number(ids[q[2]]), number(ids[q[3]])});
-            result.quad_face.push_back(id);
+        if (faces[f]) {
+            result.faces.push_back({FaceId{static_cast<std::int32_t>(f)}, faces[f]->folded_harmonic, faces[f]->folded});
         }
     }
+    detail::append_faces(result, mesh, number, [&](FaceId f) { return !faces[f.index()]; });
     report(options.progress, "done", 1);
     return result;
 }

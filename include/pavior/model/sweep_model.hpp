@@ -67,21 +67,6 @@ inline void append_solid(ModelMesh& result, const SolidMesh& solid, SolidId id, 
     }
 }
 
-/// Appends the meshes of the faces, but for those for which left_out(face) is true.
-template <class LeftOut>
-void append_faces(ModelMesh& result, const BoundaryMesh& mesh, Renumbering& number, LeftOut&& left_out) {
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        if (left_out(FaceId{static_cast<std::int32_t>(f)})) {
-            continue;
-        }
-        for (const QuadCorners& q : mesh.faces[f].quads) {
-            const std::vector<Index>& ids = mesh.faces[f].nodes;
-            result.quads.push_back({number(ids[q[0]]), number(ids[q[1]]), number(ids[q[2]]), number(ids[q[3]])});
-            result.quad_face.push_back(FaceId{static_cast<std::int32_t>(f)});
-        }
-    }
-}
-
 /// Meshes the linking sides of all sweeps, each face once; those meshed already are put in rows and columns.
 template <brep B>
 void mesh_linking_sides(const B& b, BoundaryMesh& mesh, std::span<const SweepTopology> sweeps, bool smooth,

@@ -17,7 +17,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -50,32 +49,6 @@ struct SolidMesh {
 };
 
 namespace detail {
-
-/// Quads seen from the other side.
-[[nodiscard]] inline std::vector<QuadCorners> flipped(std::vector<QuadCorners> quads) {
-    for (QuadCorners& quad : quads) {
-        std::swap(quad[1], quad[3]);
-    }
-    return quads;
-}
-
-/// Ids to positions in a list of ids.
-class PositionOf {
-public:
-    explicit PositionOf(std::span<const Index> ids) {
-        positions_.reserve(ids.size());
-        for (std::size_t i = 0; i < ids.size(); ++i) {
-            positions_.emplace(ids[i], static_cast<Index>(i));
-        }
-    }
-    [[nodiscard]] Index operator()(Index id) const {
-        const auto found = positions_.find(id);
-        return found == positions_.end() ? no_node : found->second;
-    }
-
-private:
-    std::unordered_map<Index, Index> positions_;
-};
 
 [[nodiscard]] inline std::vector<Vec3> positions(const BoundaryMesh& mesh, std::span<const Index> ids) {
     std::vector<Vec3> points;
