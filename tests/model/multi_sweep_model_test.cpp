@@ -59,7 +59,7 @@ TEST_CASE("a pipe keeps its cylinders") {
     REQUIRE(result.mesh);
     CHECK(verify_hexes(result.mesh->mesh).ok());
     verify_faces(b, *result.mesh);
-    CHECK(result.mesh->direction == Vec3::UnitZ());
+    CHECK(result.mesh->path.direction == Vec3::UnitZ());
 }
 
 TEST_CASE("solids that share faces are meshed as one, the faces between them once") {

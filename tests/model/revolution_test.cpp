@@ -3,6 +3,7 @@
 #include "support/catch.hpp"
 #include "support/dice.hpp"
 #include "support/occ_solids.hpp"
+#include "support/path_sweeps.hpp"
 #include "support/test_brep.hpp"
 
 #include <pavior/cad/gmsh_brep.hpp>
@@ -81,24 +82,6 @@ void make_bend(unsigned seed) {
     combine(pieces, holes, dice);
 }
 
-BestMultiSweep swept(const GmshBrep& model, double size) {
-    MultiSweepOptions options;
-    options.size = size;
-    const auto solver = [](const IntegerProgram& program) { return solve(program, {5, 1e-3}); };
-    return best_multi_sweep(model, all_solids(model), options, imprint, solver, GmshRegionMesher{},
-                            [] { return false; });
-}
-
-/// Conforming, not inverted, nodes on their faces, volume within the chords.
-bool sound(const GmshBrep& model, const MultiSweptModel& swept) {
-    const HexReport report = verify_hexes(swept.mesh);
-    const double error = std::abs(report.volume - model.solid_volume(SolidId{0}));
-    INFO(report.text());
-    CHECK(face_distance(model, swept.mesh.nodes, swept.quads, swept.quad_face).distance < 1e-6);
-    CHECK(chord_volume(model, swept.mesh.nodes, swept.quads, swept.quad_face, error) >= error);
-    return report.ok() && hex_quality(swept.mesh).scaled_jacobian.min > 0;
-}
-
 }  // namespace
 
 TEST_CASE("unrolling keeps lengths at its radius, and can be undone") {
@@ -175,8 +158,8 @@ TEST_CASE("an unrolled bend is a straight cylinder") {
     const auto map = unroll_round(model, solids, {}, 0.5);
     REQUIRE(map);
     CHECK(map->radius() == Approx(4).epsilon(1e-3));
-    const UnrolledBrep<GmshBrep> straight(model, *map);
-    static_assert(brep<UnrolledBrep<GmshBrep>>);
+    const UnrolledBrep straight(model, *map);
+    static_assert(brep<UnrolledBrep<GmshBrep, Unrolling>>);
     const Extrusion along = extrusion_along(straight, solids, Vec3::UnitY());
     CHECK(along.possible());
     CHECK(along.caps == 2);
@@ -205,7 +188,7 @@ TEST_CASE("a pipe bend with a flange and a collar is swept round its axis") {
     for (const double size : {0.7, 0.35}) {
         const BestMultiSweep best = swept(model, size);
         REQUIRE(best.mesh);
-        REQUIRE(best.mesh->axis);
+        REQUIRE(best.mesh->path.axis);
         CHECK(sound(model, *best.mesh));
         CHECK(hex_quality(best.mesh->mesh).scaled_jacobian.min > 0.1);
         CHECK(std::set<FaceId>(best.mesh->quad_face.begin(), best.mesh->quad_face.end()).size() == model.face_count());
@@ -227,7 +210,7 @@ TEST_CASE("random bends of changing radius are swept round their axis") {
         }
         ++asked;
         const BestMultiSweep best = swept(*model, 0.5);
-        const bool good = best.mesh && best.mesh->axis && sound(*model, *best.mesh);
+        const bool good = best.mesh && best.mesh->path.axis && sound(*model, *best.mesh);
         valid += good ? 1 : 0;
         std::cerr << "bend " << seed << (good ? ": " : " FAILED: ");
         if (best.mesh) {

@@ -39,6 +39,7 @@ public:
           chord_(chord),
           spacing_(spacing),
           sizes_(sizes),
+          lean_(std::max(extrusion.side_tolerance, 1e-3)),
           vertex_(b.vertex_count(), no_index),
           curve_(b.edge_count(), no_index),
           curve_size_(b.edge_count()) {
@@ -216,7 +217,7 @@ private:
             length += line.empty() ? 0.0 : (x.head<2>() - line.back()).norm();
             line.emplace_back(x.head<2>());
         }
-        if (side && length <= 1e-3 * b_.edge_length(edge)) {
+        if (side && length <= lean_ * b_.edge_length(edge)) {
             return no_index;
         }
         for (std::size_t i = 0; side && i + 2 < line.size(); ++i) {
@@ -316,6 +317,7 @@ private:
     const B& b_;
     double chord_, spacing_;
     LocalSizes sizes_;
+    double lean_;  ///< of an edge along the direction at most, sine of the angle
     ExtrudedBody body_;
     std::vector<Index> vertex_, curve_;
     std::vector<Smallest> curve_size_;  ///< by edge id

@@ -41,6 +41,7 @@ struct ExtrusionRefusal {
 /// What the faces of some solids are to one direction.
 struct Extrusion {
     Vec3 direction = Vec3::UnitZ();
+    double side_tolerance = 0.0;       ///< ExtrusionOptions::side_tolerance by which the roles were given
     std::vector<ExtrusionRole> roles;  ///< by face id; none for faces of other solids
     std::size_t caps = 0;              ///< flat or not
     std::size_t slanted = 0;           ///< caps that are not flat
@@ -163,6 +164,7 @@ template <brep B>
                                         const ExtrusionOptions& options = {}) {
     Extrusion result;
     result.direction = direction.normalized();
+    result.side_tolerance = options.side_tolerance;
     result.roles.assign(b.face_count(), ExtrusionRole::none);
     for (const FaceId f : detail::faces_of(b, solids)) {
         ExtrusionRefusal refusal{f, 0, 0};
@@ -175,6 +177,18 @@ template <brep B>
         }
     }
     return result;
+}
+
+/// Every face is a cap or a side, as extrusion_along() sees it; stops at the first that is not.
+template <brep B>
+[[nodiscard]] bool is_extrusion(const B& b, std::span<const SolidId> solids, const Vec3& direction,
+                                const ExtrusionOptions& options = {}) {
+    ExtrusionRefusal refusal;
+    const std::vector<FaceId> faces = detail::faces_of(b, solids);
+    return std::none_of(faces.begin(), faces.end(), [&](FaceId f) {
+        return detail::role_of(detail::face_normals(b, f), direction.normalized(), options, refusal) ==
+               ExtrusionRole::none;
+    });
 }
 
 /// All directions worth a try, best first: possible ones before others, then by the number of caps, slanted ones

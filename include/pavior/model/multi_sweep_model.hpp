@@ -8,6 +8,8 @@
 #include <pavior/model/face_distance.hpp>
 #include <pavior/model/multi_sweep.hpp>
 #include <pavior/model/revolution.hpp>
+#include <pavior/model/rib_chains.hpp>
+#include <pavior/model/snap_to_faces.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,14 +21,20 @@
 
 namespace pavior {
 
+/// What solids are swept along: a direction, a circle round an axis, or a curve parallel to edges.
+struct SweepPath {
+    Vec3 direction = Vec3::UnitZ();  ///< of a straight path
+    std::optional<Axis> axis;        ///< of a path round it
+    EdgeChain ribs;                  ///< of a path parallel to them; rib_chains()
+};
+
 /// Hexahedra of a model with their entities.
 struct MultiSweptModel {
     HexMesh mesh;
     std::vector<SolidId> hex_solid;  ///< one a hexahedron
     std::vector<QuadCorners> quads;  ///< mesh of the faces, about the face's own normal
     std::vector<FaceId> quad_face;   ///< one a quad
-    Vec3 direction = Vec3::UnitZ();  ///< of a straight path
-    std::optional<Axis> axis;        ///< of a path round it
+    SweepPath path;
     MultiSweepReport report;
 };
 
@@ -46,7 +54,7 @@ template <brep B, plane_imprinter I, class Solver, region_mesher M>
     MultiSweptModel result;
     result.mesh = std::move(swept.mesh);
     result.quads = std::move(swept.quads);
-    result.direction = extrusion.direction;
+    result.path.direction = extrusion.direction;
     result.report = std::move(swept.report);
     for (const Index s : swept.hex_solid) {
         result.hex_solid.push_back(solids[s]);
@@ -75,14 +83,13 @@ template <brep B, plane_imprinter I, class Solver, region_mesher M>
 
 /// One way to sweep and what came of it.
 struct MultiSweepAttempt {
-    Vec3 direction = Vec3::UnitZ();  ///< of a straight path
-    std::optional<Axis> axis;        ///< of a path round it
-    double merge = 0;                ///< MultiSweepOptions::merge
-    double chord = 0;                ///< MultiSweepOptions::chord
-    double quality = 0;              ///< least scaled Jacobian; meaningless with an error
-    double face_distance = 0;        ///< of the boundary node farthest from its face
-    std::string error;               ///< empty: a mesh was made
-    Error::Ids tags;                 ///< faces that the error names
+    SweepPath path;
+    double merge = 0;          ///< MultiSweepOptions::merge
+    double chord = 0;          ///< MultiSweepOptions::chord
+    double quality = 0;        ///< least scaled Jacobian; meaningless with an error
+    double face_distance = 0;  ///< of the boundary node farthest from its face
+    std::string error;         ///< empty: a mesh was made
+    Error::Ids tags;           ///< faces that the error names
 };
 
 struct BestMultiSweep {
@@ -108,50 +115,65 @@ public:
           sufficient_(sufficient),
           sizes_(sizes) {}
 
+    [[nodiscard]] bool found() const { return result_.mesh.has_value(); }
     [[nodiscard]] bool done() const { return best_ >= sufficient_ || out_of_time_(); }
 
     void straight(const Extrusion& extrusion) {
-        attempts({extrusion.direction, {}, 0, 0, 0, 0, {}, {}}, [&](const MultiSweepOptions& own) {
+        attempts({extrusion.direction, {}, {}}, [&](const MultiSweepOptions& own) {
             return multi_sweep_model(b_, solids_, extrusion, own, imprint_, solver_, mesher_, sizes_);
         });
     }
 
     /// A path round \p axis, if the solids admit one.
     void round(const Axis& axis) {
-        if (!may_turn_about(axis)) {
+        const Unrolling any(axis, axis.direction.unitOrthogonal(), options_.size);
+        if (!is_extrusion(UnrolledBrep(b_, any), solids_, Vec3::UnitY(), {1e-3, 89.9})) {
             return;
         }
-        const std::optional<Unrolling> unrolling = unroll_round(b_, solids_, axis, options_.size, options_.max_angle);
-        if (!unrolling) {
-            return;
+        if (const auto map = unroll_round(b_, solids_, axis, options_.size, options_.max_angle)) {
+            unrolled(*map, {Vec3::UnitY(), axis, {}}, {});
         }
-        const UnrolledBrep<B> unrolled(b_, *unrolling);
-        const Extrusion extrusion = extrusion_along(unrolled, solids_, Vec3::UnitY());
-        if (!extrusion.possible()) {
-            return;
+    }
+
+    /// A path along \p ribs, if the solids admit one. Whether there is one.
+    bool along(const EdgeChain& ribs) {
+        // CAD kernels approximate what is swept along a spline
+        const ExtrusionOptions roles{2e-2, ExtrusionOptions{}.max_slope};
+        const Spine any = spine_of(b_, ribs, 0.0);
+        if (!is_extrusion(UnrolledBrep(b_, any), solids_, Vec3::UnitZ(), {roles.side_tolerance, 89.9})) {
+            return false;
         }
-        attempts({extrusion.direction, axis, 0, 0, 0, 0, {}, {}}, [&](const MultiSweepOptions& own) {
-            MultiSweptModel mesh =
-                multi_sweep_model(unrolled, solids_, extrusion, own, imprint_, solver_, mesher_, sizes_);
-            for (Vec3& node : mesh.mesh.nodes) {
-                node = unrolling->rolled(node);
-            }
-            mesh.axis = axis;
-            return mesh;
-        });
+        const auto map = spine_along(b_, solids_, ribs, options_.size, options_.max_angle);
+        return map && unrolled(*map, {Vec3::UnitZ(), {}, ribs}, roles);
     }
 
     [[nodiscard]] BestMultiSweep take() && { return std::move(result_); }
 
 private:
-    /// A quick look at the faces, whatever the cut and the radius.
-    [[nodiscard]] bool may_turn_about(const Axis& axis) const {
-        const Unrolling any(axis, axis.direction.unitOrthogonal(), options_.size);
-        return extrusion_along(UnrolledBrep<B>(b_, any), solids_, Vec3::UnitY(), {1e-3, 89.9}).possible();
+    /// Along path.direction in the coordinates of \p map, if every face is a cap or a side there. Whether they are.
+    template <path_coordinates Map>
+    bool unrolled(const Map& map, const SweepPath& path, const ExtrusionOptions& roles) {
+        const UnrolledBrep view(b_, map);
+        const Extrusion extrusion = extrusion_along(view, solids_, path.direction, roles);
+        if (!extrusion.possible()) {
+            return false;
+        }
+        attempts(path, [&](const MultiSweepOptions& own) {
+            MultiSweptModel mesh = multi_sweep_model(view, solids_, extrusion, own, imprint_, solver_, mesher_, sizes_);
+            for (Vec3& node : mesh.mesh.nodes) {
+                node = map.rolled(node);
+            }
+            if (!path.ribs.empty()) {
+                snap_to_faces(b_, mesh.mesh.nodes, mesh.quads, mesh.quad_face, 1e-2 * options_.size);
+            }
+            mesh.path = path;
+            return mesh;
+        });
+        return true;
     }
 
     template <class Sweep>
-    void attempts(const MultiSweepAttempt& path, Sweep&& sweep) {
+    void attempts(const SweepPath& path, Sweep&& sweep) {
         for (const auto& [merge, chord] : {std::pair(options_.merge, 1.0), {0.0, 1.0}, {0.0, 0.05}}) {
             const bool finer = chord < 1.0;
             if (done() || (finer && best_ > 0)) {
@@ -160,9 +182,7 @@ private:
             MultiSweepOptions own = options_;
             own.merge = merge;
             own.chord *= chord;
-            MultiSweepAttempt attempt = path;
-            attempt.merge = merge;
-            attempt.chord = own.chord;
+            MultiSweepAttempt attempt{path, merge, own.chord, 0.0, 0.0, {}, {}};
             try {
                 take(sweep(own), attempt);
             } catch (const InputError&) {
@@ -209,11 +229,12 @@ private:
 }  // namespace detail
 
 /// Sweeps \p solids along each path on which every face is a cap or a side: the directions that recognise_extrusions()
-/// finds possible, best first, then circles round the axes of their faces (revolution_axes(), unroll_round()). Each is
-/// tried with the merging tolerance of \p options, without merging, and, where that makes no mesh, with a twentieth of
-/// the chord error for very short edges, until a mesh has a least scaled Jacobian of \p sufficient; otherwise the best
-/// counts. A mesh with a boundary node farther from its face than 1e-4 times the size is none. Nothing is tried once
-/// out_of_time() is true. Callables as for multi_sweep().
+/// finds possible, best first, then circles round the axes of their faces (revolution_axes(), unroll_round()), then, if
+/// there is no mesh yet, a curve parallel to their edges (rib_chains(), spine_along(); boundary nodes are snapped to
+/// the faces, which CAD kernels approximate there). Each is tried with the merging tolerance of \p options, without
+/// merging, and, where that makes no mesh, with a twentieth of the chord error for very short edges, until a mesh has a
+/// least scaled Jacobian of \p sufficient; otherwise the best counts. A mesh with a boundary node farther from its face
+/// than 1e-4 times the size is none. Nothing is tried once out_of_time() is true. Callables as for multi_sweep().
 /// \throws UnmeshableError not_sweepable naming faces where no path is possible; InputError as multi_sweep()
 template <brep B, plane_imprinter I, class Solver, region_mesher M, class OutOfTime>
 [[nodiscard]] BestMultiSweep best_multi_sweep(const B& b, std::span<const SolidId> solids,
@@ -229,6 +250,13 @@ template <brep B, plane_imprinter I, class Solver, region_mesher M, class OutOfT
     }
     for (const Axis& axis : search.done() ? std::vector<Axis>{} : revolution_axes(b, solids)) {
         search.round(axis);
+    }
+    if (!search.found()) {
+        for (const EdgeChain& ribs : rib_chains(b, solids)) {
+            if (search.done() || search.along(ribs)) {
+                break;
+            }
+        }
     }
     BestMultiSweep result = std::move(search).take();
     if (result.attempts.empty() && (extrusions.empty() || !extrusions.front().possible())) {

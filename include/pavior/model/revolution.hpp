@@ -2,8 +2,8 @@
 /// \file
 /// Models that are swept round an axis, unrolled into straight ones.
 
-#include <pavior/model/edge_mesh.hpp>
 #include <pavior/model/extrusion.hpp>
+#include <pavior/model/unrolled_brep.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -63,46 +63,6 @@ private:
     Axis axis_;
     Vec3 x_, y_;
     double radius_;
-};
-
-/// A model as it looks unrolled; a view, models brep. Topology and parameters stay. closest_on_face() is the point
-/// closest in space. Lengths of edges are those of the unrolled ones. Solids must not reach the axis, nor the half
-/// plane opposite to `middle`.
-template <brep B>
-class UnrolledBrep {
-public:
-    UnrolledBrep(const B& b, const Unrolling& unrolling) : b_(b), map_(unrolling) {}
-
-    [[nodiscard]] std::size_t vertex_count() const { return b_.vertex_count(); }
-    [[nodiscard]] std::size_t edge_count() const { return b_.edge_count(); }
-    [[nodiscard]] std::size_t face_count() const { return b_.face_count(); }
-    [[nodiscard]] std::size_t solid_count() const { return b_.solid_count(); }
-    [[nodiscard]] std::span<const OrientedFace> solid_faces(SolidId s) const { return b_.solid_faces(s); }
-    [[nodiscard]] std::span<const EdgeLoop> face_loops(FaceId f) const { return b_.face_loops(f); }
-    [[nodiscard]] std::array<VertexId, 2> edge_vertices(EdgeId e) const { return b_.edge_vertices(e); }
-    [[nodiscard]] Vec3 vertex_point(VertexId v) const { return map_.unrolled(b_.vertex_point(v)); }
-    [[nodiscard]] std::array<double, 2> edge_range(EdgeId e) const { return b_.edge_range(e); }
-    [[nodiscard]] Vec3 edge_point(EdgeId e, double t) const { return map_.unrolled(b_.edge_point(e, t)); }
-    [[nodiscard]] Vec3 edge_derivative(EdgeId e, double t) const {
-        return map_.unrolled(b_.edge_point(e, t), b_.edge_derivative(e, t));
-    }
-    [[nodiscard]] double edge_length(EdgeId e) const { return detail::arc_length(*this, e, 32).length.back(); }
-    [[nodiscard]] Vec3 face_point(FaceId f, const Vec2& uv) const { return map_.unrolled(b_.face_point(f, uv)); }
-    [[nodiscard]] std::pair<Vec3, Vec3> face_derivatives(FaceId f, const Vec2& uv) const {
-        const Vec3 x = b_.face_point(f, uv);
-        const auto [du, dv] = b_.face_derivatives(f, uv);
-        return {map_.unrolled(x, du), map_.unrolled(x, dv)};
-    }
-    [[nodiscard]] Vec2 closest_on_face(FaceId f, const Vec3& x) const { return b_.closest_on_face(f, map_.rolled(x)); }
-    [[nodiscard]] Vec2 edge_on_face(EdgeId e, double t, FaceId f, bool forward) const {
-        return b_.edge_on_face(e, t, f, forward);
-    }
-    [[nodiscard]] std::array<double, 2> face_period(FaceId f) const { return b_.face_period(f); }
-    [[nodiscard]] int tag(int dim, std::size_t index) const { return b_.tag(dim, index); }
-
-private:
-    const B& b_;
-    Unrolling map_;
 };
 
 namespace detail {
@@ -191,32 +151,18 @@ template <brep B>
 template <brep B>
 [[nodiscard]] std::optional<Unrolling> unroll_round(const B& b, std::span<const SolidId> solids, const Axis& axis,
                                                     double size, double max_angle = 45) {
-    constexpr int per_edge = 128;
     constexpr double least_gap = std::numbers::pi / 18;
     const Vec3 x = axis.direction.unitOrthogonal();
     const Unrolling plain(axis, x, 1);
     std::vector<double> angles;
     double low = std::numeric_limits<double>::infinity();
     double high = 0;
-    const auto take = [&](const Vec3& p) {
+    detail::for_each_boundary_point(b, solids, [&](const Vec3& p) {
         const Vec3 q = plain.unrolled(p);
         low = std::min(low, q[0]);
         high = std::max(high, q[0]);
         angles.push_back(q[1]);
-    };
-    for (const FaceId f : detail::faces_of(b, solids)) {
-        for (const Vec2& uv : detail::face_samples(b, f)) {
-            take(b.face_point(f, uv));
-        }
-        for (const EdgeLoop& loop : b.face_loops(f)) {
-            for (const OrientedEdge& use : loop) {
-                const auto range = b.edge_range(use.edge);
-                for (int i = 0; i <= per_edge; ++i) {
-                    take(b.edge_point(use.edge, range[0] + (range[1] - range[0]) * i / per_edge));
-                }
-            }
-        }
-    }
+    });
     if (angles.empty() || !(low > 1e-3 * high)) {
         return std::nullopt;
     }
