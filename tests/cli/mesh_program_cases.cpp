@@ -321,6 +321,24 @@ TEST_CASE("mesh: a bend whose radius changes is swept round its axis") {
     CHECK(json["mesh"]["quality"]["scaled_jacobian"]["min"].get<double>() >= 0.2);
 }
 
+TEST_CASE("mesh: a pipe elbow with flanges is swept along its path") {
+    const std::string mesh = scratch_file("elbow.vtu");
+    const std::string report = scratch_file("elbow.json");
+    const ProgramRun run =
+        run_program("mesh " + example("paths/elbow.step") + " --size 0.3 --explain -o " + mesh + " --report " + report);
+    CAPTURE(run.err);
+    REQUIRE(run.code == 0);
+    CHECK(run.out.find("parallel to edges ") != std::string::npos);
+    const auto json = json_of(report);
+    CHECK(json["decisions"][0]["method"] == "multi-sweep");
+    const auto& details = json["decisions"][0]["tries"][2]["details"];
+    CHECK(details["edges"].size() == 3);
+    CHECK(details["axis"].is_null());
+    CHECK(details["direction"].is_null());
+    CHECK(verify_hexes(read_mesh(mesh).mesh).ok());
+    CHECK(json["mesh"]["quality"]["scaled_jacobian"]["min"].get<double>() >= 0.2);
+}
+
 TEST_CASE("mesh: touching solids that no one method takes get each its own, and conform") {
     const std::string mesh = scratch_file("mixed.vtu");
     const std::string report = scratch_file("mixed.json");

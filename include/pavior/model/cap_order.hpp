@@ -24,8 +24,7 @@ namespace pavior {
         std::vector<LinkingSide>& sides = result.loops[i];
         std::reverse(sides.begin(), sides.end());
         for (LinkingSide& side : sides) {
-            side = {side.face,           side.outward,          reversed(side.top),
-                    reversed(side.left), reversed(side.bottom), reversed(side.right)};
+            side = upside_down(side);
         }
     }
     return result;

@@ -7,8 +7,10 @@
 #include <pavior/model/integer_program.hpp>
 #include <pavior/model/interval_system.hpp>
 #include <pavior/model/sweep_topology.hpp>
+#include <pavior/model/way_up.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -190,33 +192,84 @@ private:
         }
     }
 
-    /// Opposite logical sides of each linking side are equal.
+    /// Opposite logical sides of each linking side are equal, and a union of rectangles does not overlap itself.
     void add_sides(const SweepTopology& sweep) {
         for (const std::vector<LinkingSide>& sides : sweep.loops) {
             for (const LinkingSide& side : sides) {
                 add_opposite(side, side.bottom, side.top);
                 add_opposite(side, side.left, side.right);
+                if (!side.rectangle()) {
+                    add_room(side);
+                }
             }
         }
     }
 
-    /// The sides above each other that lead from the source to the target, starting at the first side of a loop.
-    [[nodiscard]] static std::vector<const LinkingSide*> column(const std::vector<LinkingSide>& sides) {
-        std::vector<const LinkingSide*> result{&sides.front()};
-        const LinkingSide* next = result.front();
-        while (next != nullptr) {
-            const OrientedEdge above = result.back()->top.front();
-            next = nullptr;
-            for (const LinkingSide& side : sides) {
-                if (std::find(side.bottom.begin(), side.bottom.end(), above) != side.bottom.end()) {
-                    next = &side;
+    /// Edges of a side with notches that face each other across it stay at least one interval apart. Which do is seen
+    /// from the lengths of the edges.
+    void add_room(const LinkingSide& side) {
+        const auto outline = outline_of(side);
+        const std::size_t n = outline.size();
+        std::vector<std::array<double, 2>> place(n + 1, {0.0, 0.0});  // where each edge starts
+        for (std::size_t i = 0; i < n; ++i) {
+            const auto [use, role] = outline[i];
+            const bool back = role == SideRole::top || role == SideRole::left;
+            place[i + 1] = place[i];
+            place[i + 1][axis_of(role)] += (back ? -1.0 : 1.0) * b_.edge_length(use.edge);
+        }
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; j < n; ++j) {
+                const auto [low, low_role] = outline[i];
+                const auto [high, high_role] = outline[j];
+                const std::size_t along = axis_of(low_role);
+                const bool facing = (low_role == SideRole::bottom && high_role == SideRole::top) ||
+                                    (low_role == SideRole::left && high_role == SideRole::right);
+                const auto [a, c] = std::minmax(place[i][along], place[i + 1][along]);
+                const auto [p, q] = std::minmax(place[j][along], place[j + 1][along]);
+                const double overlap = std::min(c, q) - std::max(a, p);
+                if (facing && overlap > 1e-3 * std::min(c - a, q - p) && place[j][1 - along] > place[i][1 - along]) {
+                    add_distance(side, i, j, 1 - along);
                 }
             }
-            if (next != nullptr) {
-                result.push_back(next);
+        }
+    }
+
+    [[nodiscard]] static std::size_t axis_of(SideRole role) {
+        return role == SideRole::bottom || role == SideRole::top ? 0 : 1;
+    }
+
+    /// Edge \p j of the outline is beyond edge \p i along an axis, if the numbers might have it otherwise.
+    void add_distance(const LinkingSide& side, std::size_t i, std::size_t j, std::size_t axis) {
+        Terms terms;
+        const auto outline = outline_of(side);
+        for (std::size_t k = (i + 1) % outline.size(); k != j; k = (k + 1) % outline.size()) {
+            const auto& [use, role] = outline[k];
+            if (axis_of(role) == axis) {
+                add_chain(terms, std::span(&use, 1), role == SideRole::bottom || role == SideRole::right ? 1 : -1);
             }
         }
-        return result;
+        if (std::any_of(terms.begin(), terms.end(), [](const auto& t) { return t.second < 0; })) {
+            const int tag = face_tag(side.face);
+            add_rule(IntervalRule::Kind::at_least, std::move(terms), 1,
+                     "face " + std::to_string(tag) + " keeps room between its edges " +
+                         std::to_string(edge_tag(outline[i].first.edge)) + " and " +
+                         std::to_string(edge_tag(outline[j].first.edge)),
+                     {tag});
+        }
+    }
+
+    [[nodiscard]] std::vector<int> face_tags(const WayUp& way) const {
+        std::vector<int> tags;
+        for (const FaceId f : way.faces) {
+            tags.push_back(face_tag(f));
+        }
+        return tags;
+    }
+
+    void add_way(Terms& terms, const WayUp& way, int sign) const {
+        for (const auto& [use, rows] : way.edges) {
+            add_chain(terms, std::span(&use, 1), sign * rows);
+        }
     }
 
     /// All loops of a solid have the same number of layers, the prescribed one if there is one.
@@ -224,21 +277,19 @@ private:
         const int solid = b_.tag(3, sweep.solid.index());
         const auto own = options_.solid_layers.find(solid);
         const std::optional<int> wanted = own != options_.solid_layers.end() ? own->second : options_.layers;
+        const WayUp first = way_up(b_, sweep, 0);
         for (std::size_t i = 0; i < sweep.loops.size(); ++i) {
             Terms terms;
-            std::vector<int> faces;
-            for (const LinkingSide* side : column(sweep.loops[i])) {
-                add_chain(terms, side->left, 1);
-                faces.push_back(face_tag(side->face));
-            }
+            const WayUp way = i == 0 ? first : way_up(b_, sweep, i);
+            std::vector<int> faces = face_tags(way);
+            add_way(terms, way, 1);
             if (wanted) {
                 add_rule(IntervalRule::Kind::equal, std::move(terms), *wanted,
                          "solid " + std::to_string(solid) + " has " + std::to_string(*wanted) + " layers", faces);
             } else if (i > 0) {
-                for (const LinkingSide* side : column(sweep.loops[0])) {
-                    add_chain(terms, side->left, -1);
-                    faces.push_back(face_tag(side->face));
-                }
+                add_way(terms, first, -1);
+                const std::vector<int> more = face_tags(first);
+                faces.insert(faces.end(), more.begin(), more.end());
                 add_rule(IntervalRule::Kind::equal, std::move(terms), 0,
                          "all loops of solid " + std::to_string(solid) + " have equally many layers", faces);
             }

@@ -96,10 +96,10 @@ inline void fill_assignment(const IntervalSystem& system, const std::vector<Edge
 
 /// Assigns numbers of intervals to all edges of the solids of \p sweeps (one model, each solid at most once), the
 /// solids taken together so that shared edges agree:
-/// opposite logical sides of every linking side are equal, all loops of a solid have the same number of layers, every
-/// loop of a cap is even and has at least min_loop intervals. Among all such numbers the sum of interval_cost, the
-/// relative deviation from length / size, is least (within the solver's gap). The wish of an edge is at least its
-/// turning over max_angle, and at least 1.
+/// opposite logical sides of every linking side are equal (a union of rectangles does not overlap itself either), all
+/// loops of a solid have the same number of layers, every loop of a cap is even and has at least min_loop intervals.
+/// Among all such numbers the sum of interval_cost, the relative deviation from length / size, is least (within the
+/// solver's gap). The wish of an edge is at least its turning over max_angle, and at least 1.
 /// A cap that is a linking side of another solid thus gets equal opposite sides as well.
 /// Deterministic unless the solver's time limit strikes. \p solver turns an IntegerProgram into an IntegerSolution.
 /// \throws UnmeshableError infeasible_intervals if no numbers satisfy the rules; the message lists rules that

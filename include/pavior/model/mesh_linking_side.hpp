@@ -5,10 +5,13 @@
 #include <pavior/model/boundary_mesh.hpp>
 #include <pavior/model/face_surface.hpp>
 #include <pavior/model/side_grid.hpp>
+#include <pavior/model/submap_face.hpp>
 #include <pavior/sweep/linking_side.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace pavior {
@@ -57,16 +60,54 @@ template <brep B>
 struct LinkingFaceReport {
     FaceId face;
     LinkingWay way = LinkingWay::parameter;
-    std::size_t folded_parameter = 0;  ///< quads folded by the plain interpolation in the parameter plane
+    std::size_t folded_parameter = 0;  ///< quads folded by the plain map in the parameter plane
     std::vector<Index> folded;         ///< quads still folded
 };
 
+namespace detail {
+
+/// The face of \p side as submapping sees it: from inside or outside, as the face's own normal points.
+[[nodiscard]] inline LogicalFace logical_face(const LinkingSide& side) {
+    LogicalLoop loop;
+    for (const auto& [use, role] : outline_of(side)) {
+        loop.uses.push_back(side.outward ? use : OrientedEdge{use.edge, !use.forward});
+        const int heading = static_cast<int>(role);  // seen from inside, +s is where bottom came from
+        loop.heading.push_back(side.outward ? heading : heading % 2 == 0 ? heading : 4 - heading);
+    }
+    if (!side.outward) {
+        std::reverse(loop.uses.begin(), loop.uses.end());
+        std::reverse(loop.heading.begin(), loop.heading.end());
+    }
+    LogicalFace result;
+    result.loops.push_back(std::move(loop));
+    return result;
+}
+
+/// A side that is a union of rectangles, by mesh_submap_face().
+template <brep B>
+LinkingFaceReport mesh_lattice_side(const B& b, BoundaryMesh& mesh, const LinkingSide& side, bool repair) {
+    SubmapNumbers numbers;
+    for (const EdgeNodes& edge : mesh.edges) {
+        numbers.edges.push_back(static_cast<int>(edge.nodes.size()) - 1);
+    }
+    numbers.links.resize(mesh.faces.size());
+    const SubmapFace made = mesh_submap_face(b, mesh, side.face, logical_face(side), numbers, repair);
+    return {side.face, LinkingWay::lattice, made.folded_harmonic, made.folded};
+}
+
+}  // namespace detail
+
 /// Meshes the face of \p side: transfinite interpolation of the nodes of its edges in the parameter plane; with
 /// \p repair closest points and untangling where that folds (linking_side()). Fills mesh.faces[face] with a structured
-/// mesh whose rows run along the bottom. All edges of the side must be meshed, opposite sides with equal numbers.
-/// \throws InputError size_mismatch or inconsistent_boundary if they are not; what the model throws
+/// mesh whose rows run along the bottom. A side that is a union of rectangles is submapped (mesh_submap_face()). All
+/// edges of the side must be meshed, opposite sides with equal numbers.
+/// \throws InputError size_mismatch or inconsistent_boundary if they are not, infeasible_intervals if a union of
+/// rectangles overlaps itself; what the model throws
 template <brep B>
 LinkingFaceReport mesh_linking_side(const B& b, BoundaryMesh& mesh, const LinkingSide& side, bool repair) {
+    if (!side.rectangle()) {
+        return detail::mesh_lattice_side(b, mesh, side, repair);
+    }
     const FaceId f = side.face;
     const detail::SideChain bottom = detail::side_chain(b, mesh, side.bottom, f, side.outward);
     detail::SideChain right = detail::side_chain(b, mesh, side.right, f, side.outward);

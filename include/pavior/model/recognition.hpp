@@ -96,14 +96,13 @@ inline void add_closest_refusals(const SolidBoundary& solid, std::size_t count, 
 /// Finds every pair of faces of \p solid between which it is a one-to-one sweep, and ranks the pairs.
 ///
 /// Conditions: the caps have equally many loops, no seam, and touch nowhere; every other face is a linking side (one
-/// loop, four logical sides); the linking sides form, round each loop of the source, a ring that ends at exactly one
-/// loop of the target. Side faces that reach from cap to cap are judged by topology alone, side faces above each other
-/// also by their corner angles (StackingOptions). Corners of linking sides and angles between them and the caps near 0,
-/// near 180 (a fillet at the rim of a cap) or beyond are refused, since the hexahedra there cannot be valid
-/// (max_deviation). Geometry is not checked further.
+/// loop, four logical sides or a union of such rectangles); the linking sides form, round each loop of the source, a
+/// ring that ends at exactly one loop of the target. Side faces that reach from cap to cap are judged by topology
+/// alone, side faces above each other also by their corner angles (StackingOptions). Corners of linking sides and
+/// angles between them and the caps near 0, near 180 (a fillet at the rim of a cap) or beyond are refused, since the
+/// hexahedra there cannot be valid (max_deviation). Geometry is not checked further.
 /// Sides above each other are searched for within a bounded amount of work (StackingOptions::max_tests), so that a
-/// sweep
-/// may be missed on solids with hundreds of faces whose corners are ambiguous; direct sweeps are never missed.
+/// sweep may be missed on solids with hundreds of faces whose corners are ambiguous; direct sweeps are never missed.
 /// Deterministic. O(f^2) face pairs, each O(n) for n edges, most of them rejected early.
 /// \throws InputError non_manifold if the faces do not close the solid.
 template <brep B>

@@ -7,21 +7,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
 #include <vector>
 
 namespace pavior {
-
-/// Which logical side of its linking side a half-edge belongs to. Half-edges of the caps have none.
-enum class SideRole : std::uint8_t { bottom, right, top, left, none };
-
-/// The role that the other half-edge of an edge inside the linking surface must have.
-[[nodiscard]] constexpr SideRole opposite(SideRole role) {
-    return role == SideRole::none ? role : static_cast<SideRole>((static_cast<int>(role) + 2) % 4);
-}
 
 namespace detail {
 
@@ -62,30 +53,44 @@ namespace detail {
     return f.loops.size() == 1 && on_source && on_target;
 }
 
-/// Collects the four runs of a face with one loop; nothing if its roles are not bottom+ right+ top+ left+, cyclically.
+/// Quarters by which the boundary of a linking side turns between edges of these roles: 0, 1 (a corner of 90 degrees),
+/// -1 (of 270 degrees), or 2 (none that a side may have).
+[[nodiscard]] constexpr int quarter_turn(SideRole before, SideRole after) {
+    const int turn = (static_cast<int>(after) - static_cast<int>(before) + 4) % 4;
+    return turn == 3 ? -1 : turn;
+}
+
+/// The logical sides of a face with one loop; nothing if its roles do not turn once round, by quarters at corners.
 [[nodiscard]] inline std::optional<LinkingSide> side_from_roles(const SolidBoundary& solid, std::size_t face,
                                                                 const std::vector<SideRole>& roles) {
     const SolidBoundary::Face& f = solid.faces[face];
     const std::size_t n = f.end - f.begin;
     const auto role = [&](std::size_t i) { return roles[f.begin + i % n]; };
-    std::size_t start = n, changes = 0;
+    std::size_t start = n;
+    int turns = 0;
+    bool rectangle = true;
+    bool seam = false;
     for (std::size_t i = 0; i < n; ++i) {
-        if (role(i) != role(i + n - 1)) {
-            ++changes;
-            start = role(i) == SideRole::bottom ? i : start;
-        }
-    }
-    if (changes != 4 || start == n) {
-        return std::nullopt;
-    }
-    LinkingSide side{f.face.face, f.face.outward, {}, {}, {}, {}};
-    EdgeChain* const chains[] = {&side.bottom, &side.right, &side.top, &side.left};
-    for (std::size_t i = start; i < start + n; ++i) {
-        if (role(i) == SideRole::none ||
-            (i > start && role(i) != role(i - 1) && static_cast<int>(role(i)) != static_cast<int>(role(i - 1)) + 1)) {
+        const int turn = quarter_turn(role(i + n - 1), role(i));
+        if (role(i) == SideRole::none || turn == 2) {
             return std::nullopt;
         }
-        chains[static_cast<int>(role(i))]->push_back(solid.half_edges[f.begin + i % n].use);
+        turns += turn;
+        rectangle = rectangle && turn >= 0;
+        seam = seam || solid.twin_face(f.begin + i) == face;
+        start = start == n && turn == 1 && role(i) == SideRole::bottom ? i : start;
+    }
+    if (turns != 4 || start == n || (seam && !rectangle)) {
+        return std::nullopt;
+    }
+    LinkingSide side{f.face.face, f.face.outward, {}, {}, {}, {}, {}};
+    EdgeChain* const chains[] = {&side.bottom, &side.right, &side.top, &side.left};
+    for (std::size_t i = start; i < start + n; ++i) {
+        const OrientedEdge use = solid.half_edges[f.begin + i % n].use;
+        chains[static_cast<int>(role(i))]->push_back(use);
+        if (!rectangle) {
+            side.outline.emplace_back(use, role(i));
+        }
     }
     side.top = reversed(side.top);
     side.left = reversed(side.left);
@@ -117,7 +122,7 @@ public:
             if (!is_cap(solid_.twin_face(h)) && roles_[edge.twin] != opposite(roles_[h])) {
                 return false;
             }
-            sum += roles_[previous(h)] == roles_[h] ? 2 : 1;
+            sum += 2 - quarter_turn(roles_[previous(h)], roles_[h]);
         }
         return std::all_of(quarters.begin(), quarters.end(),
                            [](const auto& entry) { return entry.second.first == (entry.second.second ? 2 : 4); });
@@ -201,7 +206,8 @@ private:
     }
 
     /// Orders faces so that each one comes after those below it, the first \p bottoms (those on the source) first where
-    /// nothing else is below them; false if sides lie above each other in a circle.
+    /// nothing else is below them; false if sides lie above each other in a circle, but for one with a corner of 270
+    /// degrees, which may be below and above another: it comes after one that it meets.
     [[nodiscard]] bool sort_upwards(std::vector<std::size_t>& faces, std::size_t bottoms) const {
         std::map<std::size_t, std::size_t> waiting;  // faces below that are not placed yet
         for (const std::size_t face : faces) {
@@ -213,17 +219,49 @@ private:
                 queue.push_back(faces[i]);
             }
         }
-        while (sorted.size() < queue.size()) {
-            sorted.push_back(queue[sorted.size()]);
-            for (const std::size_t upper : neighbours(sorted.back(), SideRole::top)) {
-                if (--waiting[upper] == 0) {
-                    queue.push_back(upper);
+        for (bool grown = true; grown;) {
+            while (sorted.size() < queue.size()) {
+                sorted.push_back(queue[sorted.size()]);
+                waiting[sorted.back()] = 0;
+                for (const std::size_t upper : neighbours(sorted.back(), SideRole::top)) {
+                    if (waiting[upper] > 0 && --waiting[upper] == 0) {
+                        queue.push_back(upper);
+                    }
                 }
+            }
+            const auto stuck = std::find_if(faces.begin(), faces.end(), [&](std::size_t face) {
+                return waiting[face] > 0 && !convex(face) && meets_one_of(face, sorted);
+            });
+            grown = stuck != faces.end();
+            if (grown) {
+                queue.push_back(*stuck);
             }
         }
         const bool complete = sorted.size() == faces.size();
         faces = std::move(sorted);
         return complete;
+    }
+
+    /// No corner of 270 degrees.
+    [[nodiscard]] bool convex(std::size_t face) const {
+        const SolidBoundary::Face& f = solid_.faces[face];
+        for (std::size_t h = f.begin; h < f.end; ++h) {
+            if (quarter_turn(roles_[previous(h)], roles_[h]) < 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// The face shares an edge with the source or with one of \p placed.
+    [[nodiscard]] bool meets_one_of(std::size_t face, const std::vector<std::size_t>& placed) const {
+        for (std::size_t h = solid_.faces[face].begin; h < solid_.faces[face].end; ++h) {
+            const std::size_t other = solid_.twin_face(h);
+            if (other == source_ || std::find(placed.begin(), placed.end(), other) != placed.end()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /// The linking faces across the edges of a face that have a role.

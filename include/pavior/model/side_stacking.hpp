@@ -13,9 +13,11 @@
 
 namespace pavior {
 
-/// Which vertices of a side face may be corners of its logical rectangle. Only for solids with sides above each other.
+/// Which vertices of a side face may be corners of its logical rectangle, or union of rectangles. Only for solids with
+/// sides above each other.
 struct StackingOptions {
     double corner_tolerance = 65.0;   ///< a corner's interior angle is 90 +- this, degrees
+    double notch_tolerance = 40.0;    ///< a corner between two parts of an L-shaped side has 270 +- this, degrees
     double kink_tolerance = 50.0;     ///< at a vertex inside a logical side it is 180 +- this, degrees
     std::size_t max_tests = 5000000;  ///< ways to see a face tried for one solid before the search gives up
 };
@@ -25,8 +27,8 @@ namespace detail {
 /// A role for each half-edge of a face.
 using RolePattern = std::vector<SideRole>;
 
-/// All ways to see each face of a solid as a rectangle that its angles allow, best angles first. Independent of the
-/// caps, so made once a solid.
+/// All ways to see each face of a solid as a rectangle, or a union of rectangles, that its angles allow, best angles
+/// first. Independent of the caps, so made once a solid.
 class RolePatterns {
 public:
     RolePatterns(const SolidBoundary& solid, const StackingOptions& options) : patterns_(solid.faces.size()) {
@@ -44,23 +46,28 @@ private:
     static void make(const SolidBoundary& solid, const SolidBoundary::Face& f, const StackingOptions& options,
                      std::vector<RolePattern>& result) {
         std::vector<double> angles;
-        std::vector<std::size_t> free, corners;  // vertices that may be either, vertices that must be corners
+        std::vector<int> turns;         // quarters at each vertex
+        std::vector<std::size_t> free;  // vertices that may be corners or not
+        int missing = 4;
         for (std::size_t h = f.begin; h < f.end; ++h) {
             const double angle = solid.half_edges[h].angle;
             const bool corner = std::abs(angle - 90.0) <= options.corner_tolerance;
             const bool kink = std::abs(angle - 180.0) <= options.kink_tolerance;
-            if (f.loops.size() != 1 || (!corner && !kink)) {
+            const bool notch = !kink && std::abs(angle - 270.0) <= options.notch_tolerance;
+            if (f.loops.size() != 1 || (!corner && !kink && !notch)) {
                 return;
             }
-            if (corner) {
-                (kink ? free : corners).push_back(h - f.begin);
+            if (corner && kink) {
+                free.push_back(h - f.begin);
             }
+            turns.push_back(notch ? -1 : corner && !kink ? 1 : 0);
+            missing -= turns.back();
             angles.push_back(angle);
         }
         std::stable_sort(free.begin(), free.end(), [&](auto p, auto q) { return angles[p] < angles[q]; });
         free.resize(std::min(free.size(), max_free));
         Weighted weighted;
-        choose_corners(angles, free, 0, corners, weighted);
+        choose_corners(angles, free, 0, missing, turns, weighted);
         std::stable_sort(weighted.begin(), weighted.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
         for (auto& [weight, pattern] : weighted) {
@@ -68,33 +75,30 @@ private:
         }
     }
 
-    /// Completes \p corners to four by vertices of \p free from position \p at on, in all ways.
+    /// Makes \p missing more corners of vertices of \p free from position \p at on, in all ways.
     static void choose_corners(const std::vector<double>& angles, const std::vector<std::size_t>& free, std::size_t at,
-                               std::vector<std::size_t>& corners, Weighted& result) {
-        if (corners.size() == 4) {
-            add_rotations(angles, corners, result);
-        } else if (corners.size() < 4) {
-            for (std::size_t i = at; i < free.size(); ++i) {
-                corners.push_back(free[i]);
-                choose_corners(angles, free, i + 1, corners, result);
-                corners.pop_back();
-            }
+                               int missing, std::vector<int>& turns, Weighted& result) {
+        if (missing == 0) {
+            add_rotations(angles, turns, result);
+        }
+        for (std::size_t i = at; missing > 0 && i < free.size(); ++i) {
+            turns[free[i]] = 1;
+            choose_corners(angles, free, i + 1, missing - 1, turns, result);
+            turns[free[i]] = 0;
         }
     }
 
-    static void add_rotations(const std::vector<double>& angles, std::vector<std::size_t> corners, Weighted& result) {
-        std::sort(corners.begin(), corners.end());
+    static void add_rotations(const std::vector<double>& angles, const std::vector<int>& turns, Weighted& result) {
         double weight = 0.0;
         for (std::size_t i = 0; i < angles.size(); ++i) {
-            const bool corner = std::binary_search(corners.begin(), corners.end(), i);
-            weight += std::abs(angles[i] - (corner ? 90.0 : 180.0));
+            weight += std::abs(angles[i] - (180.0 - 90.0 * turns[i]));
         }
-        for (std::size_t rotation = 0; rotation < 4; ++rotation) {
+        for (int rotation = 0; rotation < 4; ++rotation) {
             RolePattern pattern(angles.size());
+            int role = 3 + rotation;
             for (std::size_t i = 0; i < angles.size(); ++i) {
-                const auto passed =
-                    static_cast<std::size_t>(std::upper_bound(corners.begin(), corners.end(), i) - corners.begin());
-                pattern[i] = static_cast<SideRole>((passed + 3 + rotation) % 4);
+                role += turns[i] + 4;
+                pattern[i] = static_cast<SideRole>(role % 4);
             }
             result.emplace_back(weight, std::move(pattern));
         }

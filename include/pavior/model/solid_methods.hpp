@@ -114,13 +114,20 @@ private:
         });
     }
 
+    /// The face is meshed with the grid of a linking side.
+    [[nodiscard]] bool fits(const LinkingSide& side) {
+        const FaceMesh& face = given_.faces[side.face.index()];
+        if (face.empty() || !side.rectangle()) {
+            return !face.empty() && detail::lattice_nodes(given_, side);
+        }
+        return face.structured() || structure_side(given_, side, b_.face_period(side.face));
+    }
+
     /// All linking sides that are fixed are grids.
     [[nodiscard]] bool fits(const SweepTopology& sweep) {
         for (const std::vector<LinkingSide>& loop : sweep.loops) {
             for (const LinkingSide& side : loop) {
-                const FaceMesh& face = given_.faces[side.face.index()];
-                if (fixed(side.face) && (face.empty() || (!face.structured() &&
-                                                          !structure_side(given_, side, b_.face_period(side.face))))) {
+                if (fixed(side.face) && !fits(side)) {
                     return false;
                 }
             }

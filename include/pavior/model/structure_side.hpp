@@ -14,7 +14,8 @@
 namespace pavior {
 
 /// Reorders the mesh of \p side's face as mesh_linking_side() would have made it, rows along the bottom, if its quads
-/// are a grid between the nodes of the side's four chains. \p periods of the face. O(n log n).
+/// are a grid between the nodes of the side's four chains; for sides that are rectangles. \p periods of the face.
+/// O(n log n).
 /// \return false, with nothing changed, if they are no such grid
 inline bool structure_side(BoundaryMesh& mesh, const LinkingSide& side, const Periods& periods) {
     FaceMesh& face = mesh.faces[side.face.index()];

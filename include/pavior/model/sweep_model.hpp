@@ -77,7 +77,7 @@ void mesh_linking_sides(const B& b, BoundaryMesh& mesh, std::span<const SweepTop
                 const FaceMesh& face = mesh.faces[side.face.index()];
                 if (face.empty()) {
                     result.sides.push_back(mesh_linking_side(b, mesh, side, smooth));
-                } else if (!face.structured()) {
+                } else if (side.rectangle() && !face.structured()) {
                     (void)structure_side(mesh, side, b.face_period(side.face));  // side_ids() complains
                 }
             }

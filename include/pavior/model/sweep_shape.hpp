@@ -3,6 +3,7 @@
 /// How well shaped a sweep promises to be, and the rule by which one of several sweeps of a solid is chosen.
 
 #include <pavior/model/face_corners.hpp>
+#include <pavior/model/side_roles.hpp>
 #include <pavior/model/sweep_conditions.hpp>
 #include <pavior/model/sweep_topology.hpp>
 
@@ -20,16 +21,18 @@ namespace pavior {
 
 namespace detail {
 
-/// Largest |interior angle - 90| over the corners of a side, degrees.
+/// Largest difference of an interior angle from 90 (or 270) over the corners of a side, degrees.
 template <brep B>
 [[nodiscard]] double corner_deviation(const B& b, const LinkingSide& side) {
     const OrientedFace f{side.face, side.outward};
-    const EdgeChain top = reversed(side.top), left = reversed(side.left);
-    const EdgeChain* const chains[] = {&side.bottom, &side.right, &top, &left};
+    const auto outline = outline_of(side);
     double worst = 0.0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const double angle = corner_angle(b, f, chains[i]->back(), chains[(i + 1) % 4]->front());
-        worst = std::max(worst, std::abs(angle - 90.0));
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const auto& [use, role] = outline[i];
+        const auto& [next, next_role] = outline[(i + 1) % outline.size()];
+        if (const int turn = quarter_turn(role, next_role); turn != 0) {
+            worst = std::max(worst, std::abs(corner_angle(b, f, use, next) - (180.0 - 90.0 * turn)));
+        }
     }
     return worst;
 }
@@ -73,13 +76,13 @@ template <brep B>
         deviation_from_cap(b, {sweep.target, sweep.target_outward}, sweep.target_loops[i], true, side, side.top));
 }
 
-/// Turning of a chain: of its edges, and from edge to edge, degrees.
+/// Turning of a chain: of its edges, and from edge to edge where they meet, degrees.
 template <brep B>
 [[nodiscard]] double chain_turning(const B& b, std::span<const OrientedEdge> chain) {
     double sum = 0.0;
     for (std::size_t i = 0; i < chain.size(); ++i) {
         sum += edge_turning(b, chain[i].edge);
-        if (i > 0) {
+        if (i > 0 && last_vertex(b, chain[i - 1]) == first_vertex(b, chain[i])) {
             const Vec3 in = use_direction(b, chain[i - 1], 1), out = use_direction(b, chain[i], 0);
             sum += degrees_per_radian * std::atan2(in.cross(out).norm(), in.dot(out));
         }

@@ -25,14 +25,16 @@ enum class LinkingWay : std::uint8_t {
     space,          ///< transfinite interpolation in space, no surface
     parameter,      ///< transfinite interpolation in the parameter plane, then the surface
     closest_point,  ///< transfinite interpolation in space, then the closest point of the surface
+    lattice,        ///< no rectangle, but a union of them: a harmonic map (model/mesh_linking_side.hpp)
 };
 
-/// "space", "parameter" or "closest_point".
+/// "space", "parameter", "closest_point" or "lattice".
 [[nodiscard]] constexpr std::string_view to_string(LinkingWay way) noexcept {
     switch (way) {
         case LinkingWay::space: return "space";
         case LinkingWay::parameter: return "parameter";
         case LinkingWay::closest_point: return "closest_point";
+        case LinkingWay::lattice: return "lattice";
     }
     return "unknown";
 }
