@@ -6,9 +6,6 @@
 #include "support/path_sweeps.hpp"
 
 #include <cmath>
-#include <iostream>
-#include <optional>
-#include <set>
 #include <vector>
 
 using namespace pavior;
@@ -124,8 +121,6 @@ void make_random_pipe(unsigned seed) {
     make_spline_pipe(splines, radii, dice.coin() ? dice.real(0.2, 0.45) : 0.0);
 }
 
-std::set<FaceId> meshed_faces(const MultiSweptModel& swept) { return {swept.quad_face.begin(), swept.quad_face.end()}; }
-
 }  // namespace
 
 TEST_CASE("chains of edges go from cap to cap, aside at a step") {
@@ -178,35 +173,5 @@ TEST_CASE("a pipe elbow with straight legs and flanges is swept along its path")
 }
 
 TEST_CASE("random pipes along splines, of changing radius, are swept along their path") {
-    const Seeds range = seeds("PAVIOR_FUZZ", 4);
-    unsigned valid = 0;
-    unsigned asked = 0;
-    for (unsigned seed = range.first; seed <= range.last(); ++seed) {
-        CAPTURE(seed);
-        std::optional<GmshBrep> model;
-        try {
-            model = GmshBrep::build([&] { make_random_pipe(seed); });
-        } catch (const std::exception& error) {
-            std::cerr << "pipe " << seed << ": no model, " << error.what() << "\n";
-            continue;
-        }
-        ++asked;
-        try {
-            const BestMultiSweep best = swept(*model, 0.4);
-            const bool good =
-                best.mesh && sound(*model, *best.mesh) && meshed_faces(*best.mesh).size() == model->face_count();
-            valid += good ? 1 : 0;
-            std::cerr << "pipe " << seed << (good ? ": " : " FAILED: ");
-            if (best.mesh) {
-                std::cerr << best.mesh->mesh.hexes.size() << " hexahedra, "
-                          << hex_quality(best.mesh->mesh).scaled_jacobian.min << "\n";
-            } else {
-                std::cerr << no_mesh_error(best).what() << "\n";
-            }
-        } catch (const UnmeshableError& error) {
-            std::cerr << "pipe " << seed << " FAILED: " << error.what() << "\n";
-        }
-    }
-    std::cerr << "of " << asked << " pipes " << valid << " valid\n";
-    CHECK(10 * valid >= 9 * asked);
+    sweep_seeds("pipe", seeds("PAVIOR_FUZZ", 4), 0.4, make_random_pipe, [](const SweepPath&) { return true; });
 }
