@@ -2,9 +2,9 @@
 /// \file
 /// How much volume lies between quads and the curved faces that they stand for.
 
-#include <pavior/core/error.hpp>
 #include <pavior/mesh/cells.hpp>
 #include <pavior/model/brep.hpp>
+#include <pavior/model/face_distance.hpp>
 
 #include <Eigen/Geometry>
 
@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <limits>
 #include <span>
-#include <string>
 
 namespace pavior {
 
@@ -48,10 +47,7 @@ template <brep B>
 [[nodiscard]] double chord_volume(const B& body, std::span<const Vec3> nodes, std::span<const QuadCorners> quads,
                                   std::span<const FaceId> faces,
                                   double enough = std::numeric_limits<double>::infinity()) {
-    if (quads.size() != faces.size()) {
-        throw InputError(ErrorCode::size_mismatch, std::to_string(quads.size()) + " quads, but " +
-                                                       std::to_string(faces.size()) + " faces of quads");
-    }
+    detail::check_quad_faces(quads, faces);
     constexpr double margin = 1.5;
     double volume = 0.0;
     for (std::size_t q = 0; q < quads.size() && !(volume >= enough); ++q) {

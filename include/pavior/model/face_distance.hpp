@@ -14,6 +14,18 @@
 
 namespace pavior {
 
+namespace detail {
+
+/// \throws InputError size_mismatch unless each quad has a face
+inline void check_quad_faces(std::span<const QuadCorners> quads, std::span<const FaceId> faces) {
+    if (quads.size() != faces.size()) {
+        throw InputError(ErrorCode::size_mismatch, std::to_string(quads.size()) + " quads, but " +
+                                                       std::to_string(faces.size()) + " faces of quads");
+    }
+}
+
+}  // namespace detail
+
 /// The node farthest from the surface of the face that its quad lies on.
 struct FaceDistance {
     double distance = 0.0;
@@ -29,10 +41,7 @@ struct FaceDistance {
 template <brep B>
 [[nodiscard]] FaceDistance face_distance(const B& body, std::span<const Vec3> nodes, std::span<const QuadCorners> quads,
                                          std::span<const FaceId> faces) {
-    if (quads.size() != faces.size()) {
-        throw InputError(ErrorCode::size_mismatch, std::to_string(quads.size()) + " quads, but " +
-                                                       std::to_string(faces.size()) + " faces of quads");
-    }
+    detail::check_quad_faces(quads, faces);
     FaceDistance farthest;
     std::vector<FaceId> seen(nodes.size());
     for (std::size_t q = 0; q < quads.size(); ++q) {

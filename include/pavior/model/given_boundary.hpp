@@ -4,6 +4,7 @@
 
 #include <pavior/core/error.hpp>
 #include <pavior/model/boundary_mesh.hpp>
+#include <pavior/model/face_distance.hpp>
 #include <pavior/sweep/unwrap.hpp>
 
 #include <algorithm>
@@ -140,10 +141,7 @@ template <brep B>
 template <brep B>
 [[nodiscard]] BoundaryMesh given_boundary(const B& b, std::vector<Vec3> nodes, std::span<const QuadCorners> quads,
                                           std::span<const FaceId> quad_face, std::span<const FaceId> faces) {
-    if (quads.size() != quad_face.size()) {
-        throw InputError(ErrorCode::size_mismatch, std::to_string(quads.size()) + " quads, but " +
-                                                       std::to_string(quad_face.size()) + " faces of quads");
-    }
+    detail::check_quad_faces(quads, quad_face);
     BoundaryMesh mesh;
     mesh.nodes = std::move(nodes);
     mesh.vertices.assign(b.vertex_count(), no_node);

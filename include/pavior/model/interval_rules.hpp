@@ -228,7 +228,7 @@ private:
                 const auto [p, q] = std::minmax(place[j][along], place[j + 1][along]);
                 const double overlap = std::min(c, q) - std::max(a, p);
                 if (facing && overlap > 1e-3 * std::min(c - a, q - p) && place[j][1 - along] > place[i][1 - along]) {
-                    add_distance(side, i, j, 1 - along);
+                    add_distance(side.face, outline, i, j);
                 }
             }
         }
@@ -238,18 +238,18 @@ private:
         return role == SideRole::bottom || role == SideRole::top ? 0 : 1;
     }
 
-    /// Edge \p j of the outline is beyond edge \p i along an axis, if the numbers might have it otherwise.
-    void add_distance(const LinkingSide& side, std::size_t i, std::size_t j, std::size_t axis) {
+    /// Edge \p j of the outline is beyond edge \p i, across the two, if the numbers might have it otherwise.
+    void add_distance(FaceId face, std::span<const std::pair<OrientedEdge, SideRole>> outline, std::size_t i,
+                      std::size_t j) {
         Terms terms;
-        const auto outline = outline_of(side);
         for (std::size_t k = (i + 1) % outline.size(); k != j; k = (k + 1) % outline.size()) {
             const auto& [use, role] = outline[k];
-            if (axis_of(role) == axis) {
+            if (axis_of(role) != axis_of(outline[i].second)) {
                 add_chain(terms, std::span(&use, 1), role == SideRole::bottom || role == SideRole::right ? 1 : -1);
             }
         }
         if (std::any_of(terms.begin(), terms.end(), [](const auto& t) { return t.second < 0; })) {
-            const int tag = face_tag(side.face);
+            const int tag = face_tag(face);
             add_rule(IntervalRule::Kind::at_least, std::move(terms), 1,
                      "face " + std::to_string(tag) + " keeps room between its edges " +
                          std::to_string(edge_tag(outline[i].first.edge)) + " and " +

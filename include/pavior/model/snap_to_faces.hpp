@@ -2,14 +2,13 @@
 /// \file
 /// Boundary nodes of a mesh, moved onto the faces that they stand for.
 
-#include <pavior/core/error.hpp>
 #include <pavior/mesh/cells.hpp>
 #include <pavior/model/brep.hpp>
+#include <pavior/model/face_distance.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,10 +22,7 @@ namespace pavior {
 template <brep B>
 std::size_t snap_to_faces(const B& body, std::span<Vec3> nodes, std::span<const QuadCorners> quads,
                           std::span<const FaceId> faces, double within) {
-    if (quads.size() != faces.size()) {
-        throw InputError(ErrorCode::size_mismatch, std::to_string(quads.size()) + " quads, but " +
-                                                       std::to_string(faces.size()) + " faces of quads");
-    }
+    detail::check_quad_faces(quads, faces);
     constexpr int rounds = 20;
     std::vector<std::pair<Index, FaceId>> uses;
     uses.reserve(4 * quads.size());

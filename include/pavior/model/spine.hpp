@@ -30,16 +30,13 @@ public:
     /// in parallel so that it becomes the end. O(points).
     void append(std::span<const Vec3> points, std::span<const Vec3> tangents) {
         PAVIOR_ASSERT(points.size() >= 2 && tangents.size() == points.size());
-        Vec3 side = samples_.empty() ? tangents[0].unitOrthogonal() : samples_.back().side;
-        double u = 0.0;
-        double v = 0.0;
         if (samples_.empty()) {
-            samples_.push_back({points[0], tangents[0], side, 0.0, 0.0});
-        } else {
-            const Vec3 aside = samples_.back().point - points[0];
-            u = aside.dot(side);
-            v = aside.dot(tangents[0].cross(side));
+            push(points[0], tangents[0], tangents[0].unitOrthogonal());
         }
+        Vec3 side = samples_.back().side;
+        const Vec3 aside = samples_.back().point - points[0];
+        const double u = aside.dot(side);
+        const double v = aside.dot(tangents[0].cross(side));
         for (std::size_t i = 1; i < points.size(); ++i) {
             side = transported(side, points[i - 1], tangents[i - 1], points[i], tangents[i]);
             push(points[i] + u * side + v * tangents[i].cross(side), tangents[i], side);
@@ -59,25 +56,16 @@ public:
     /// The image of a direction \p d at \p p.
     [[nodiscard]] Vec3 unrolled(const Vec3& p, const Vec3& d) const {
         const Place at = foot(p);
-        const double along = d.dot(at.tangent) / (at.rate * (1.0 - at.curvature.dot(p - at.point)));
-        return {d.dot(at.side), d.dot(at.other()), along};
+        return {d.dot(at.side), d.dot(at.other()), d.dot(at.tangent) / (at.rate * at.stretch(p))};
     }
     /// Length at \p p of what is as long as 1 on the curve; not positive where the coordinates are of no use.
-    [[nodiscard]] double stretch(const Vec3& p) const {
-        const Place at = foot(p);
-        return 1.0 - at.curvature.dot(p - at.point);
-    }
+    [[nodiscard]] double stretch(const Vec3& p) const { return foot(p).stretch(p); }
 
     /// The parallel curve through the points (u, v, height).
     [[nodiscard]] Spine parallel(double u, double v) const {
         Spine result(per_radian_);
         for (const Sample& s : samples_) {
-            const Vec3 point = s.point + u * s.side + v * s.tangent.cross(s.side);
-            if (result.samples_.empty()) {
-                result.samples_.push_back({point, s.tangent, s.side, 0.0, 0.0});
-            } else {
-                result.push(point, s.tangent, s.side);
-            }
+            result.push(s.point + u * s.side + v * s.tangent.cross(s.side), s.tangent, s.side);
         }
         return result;
     }
@@ -95,12 +83,17 @@ private:
         double rate = 1.0;  ///< length by height
 
         [[nodiscard]] Vec3 other() const { return tangent.cross(side); }
+        [[nodiscard]] double stretch(const Vec3& p) const { return 1.0 - curvature.dot(p - point); }
     };
     struct Curve {
         Vec3 point, slope, bend;  ///< c, c' and c'' by the parameter 0 .. 1 of a segment
     };
 
     void push(const Vec3& point, const Vec3& tangent, const Vec3& side) {
+        if (samples_.empty()) {
+            samples_.push_back({point, tangent, side, 0.0, 0.0});
+            return;
+        }
         const Sample& last = samples_.back();
         const double turn = std::atan2(last.tangent.cross(tangent).norm(), last.tangent.dot(tangent));
         const double chord = (point - last.point).norm();
