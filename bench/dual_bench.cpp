@@ -3,8 +3,8 @@
 // cuts given to TetGen as facets.
 #include "timing.hpp"
 
+#include <pavior/contributions/dual_blocks.hpp>
 #include <pavior/dual/cell_complex.hpp>
-#include <pavior/dual/dual_blocks.hpp>
 #include <pavior/dual/features.hpp>
 #include <pavior/dual/spatial_order.hpp>
 

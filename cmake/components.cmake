@@ -29,9 +29,14 @@ if(PAVIOR_BUILD_IO)
 endif()
 
 if(PAVIOR_BUILD_CAD)
-  find_package(GLPK REQUIRED MODULE)
   pavior_component(cad)
-  target_link_libraries(pavior_cad PRIVATE Gmsh::Gmsh GLPK::GLPK)
+  target_link_libraries(pavior_cad PRIVATE Gmsh::Gmsh)
+endif()
+
+if(PAVIOR_BUILD_GLPK)
+  find_package(GLPK REQUIRED MODULE)
+  pavior_component(glpk)
+  target_link_libraries(pavior_glpk PRIVATE GLPK::GLPK)
 endif()
 
 if(PAVIOR_BUILD_TETRA)
@@ -62,7 +67,7 @@ if(PAVIOR_BUILD_CLI)
   list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/src/cli/main.cpp)
   add_library(pavior_commands STATIC ${sources})
   target_include_directories(pavior_commands PUBLIC src)
-  target_link_libraries(pavior_commands PUBLIC pavior_io pavior_cad pavior_tetra pavior_imprint CLI11::CLI11
+  target_link_libraries(pavior_commands PUBLIC pavior_io pavior_cad pavior_glpk pavior_tetra pavior_imprint CLI11::CLI11
                                                nlohmann_json::nlohmann_json
                                         PRIVATE pavior_warnings)
   if(PAVIOR_BUILD_MATH)

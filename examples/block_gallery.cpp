@@ -6,10 +6,10 @@
 // solid; the others belong to the tetrahedra at hand. With a directory as argument the surfaces of the solids are
 // written there.
 #include <pavior/block/block_solid.hpp>
-#include <pavior/dual/contributions.hpp>
-#include <pavior/dual/dual_surfaces.hpp>
+#include <pavior/contributions/contributions.hpp>
+#include <pavior/contributions/dual_surfaces.hpp>
+#include <pavior/contributions/regions.hpp>
 #include <pavior/dual/features.hpp>
-#include <pavior/dual/regions.hpp>
 #include <pavior/tetra/tetrahedralize.hpp>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Local dual contributions in the plane: an L of triangles, cut behind its re-entrant corner, becomes quadrilateral
 // blocks. Prints the counts; with a file name as argument also draws contributions and blocks as SVG.
-#include <pavior/dual/triangle_dual.hpp>
+#include <pavior/contributions/triangle_dual.hpp>
 #include <pavior/mesh/verify_quads.hpp>
 
 #include <array>

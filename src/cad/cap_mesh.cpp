@@ -2,7 +2,7 @@
 
 #include "plane_quads.hpp"
 
-#include <pavior/model/face_surface.hpp>
+#include <pavior/brep/face_surface.hpp>
 #include <pavior/smooth/quads.hpp>
 #include <pavior/smooth/surface_quads.hpp>
 

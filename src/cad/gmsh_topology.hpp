@@ -4,7 +4,7 @@
 #include "face_loops.hpp"
 #include "gmsh_model.hpp"
 
-#include <pavior/model/brep.hpp>
+#include <pavior/brep/brep.hpp>
 
 #include <array>
 #include <cstddef>

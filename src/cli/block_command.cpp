@@ -4,11 +4,11 @@
 #include "progress_bar.hpp"
 #include "report_file.hpp"
 
+#include <pavior/contributions/contributions.hpp>
+#include <pavior/contributions/dual_surfaces.hpp>
+#include <pavior/contributions/regions.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/core/stopwatch.hpp>
-#include <pavior/dual/contributions.hpp>
-#include <pavior/dual/dual_surfaces.hpp>
-#include <pavior/dual/regions.hpp>
 #include <pavior/io/dual_file.hpp>
 
 #include <iostream>

@@ -3,7 +3,7 @@
 #include "exit_code.hpp"
 
 #include <pavior/affine/method.hpp>
-#include <pavior/block/marking.hpp>
+#include <pavior/marking/marking.hpp>
 #include <pavior/sweep/boundary_error.hpp>
 #include <pavior/sweep/level_map.hpp>
 

@@ -5,10 +5,10 @@
 #include "progress_bar.hpp"
 #include "report_file.hpp"
 
+#include <pavior/brep/touching_solids.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/core/stopwatch.hpp>
 #include <pavior/mesh/append_mesh.hpp>
-#include <pavior/model/touching_solids.hpp>
 
 #include <algorithm>
 #include <iostream>

@@ -5,8 +5,8 @@
 #include "mesh_bytes.hpp"
 #include "swept.hpp"
 
+#include <pavior/brep/chord_volume.hpp>
 #include <pavior/core/stopwatch.hpp>
-#include <pavior/model/chord_volume.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "meshed.hpp"
 
-#include <pavior/model/integer_program.hpp>
+#include <pavior/glpk/solve_program.hpp>
 
 #include <optional>
 

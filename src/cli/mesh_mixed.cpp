@@ -5,7 +5,7 @@
 #include <pavior/cad/cap_mesh.hpp>
 #include <pavior/cad/region_quads.hpp>
 #include <pavior/imprint/imprint.hpp>
-#include <pavior/model/mixed_solids.hpp>
+#include <pavior/part/mixed_solids.hpp>
 
 namespace pavior::cli {
 

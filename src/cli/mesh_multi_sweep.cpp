@@ -4,7 +4,7 @@
 
 #include <pavior/cad/region_quads.hpp>
 #include <pavior/imprint/imprint.hpp>
-#include <pavior/model/multi_sweep_model.hpp>
+#include <pavior/many_to_many/multi_sweep_model.hpp>
 
 #include <optional>
 #include <sstream>

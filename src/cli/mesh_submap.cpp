@@ -2,7 +2,8 @@
 #include "mesh_methods.hpp"
 #include "swept.hpp"
 
-#include <pavior/model/submap_model.hpp>
+#include <pavior/glpk/solve_program.hpp>
+#include <pavior/submap/submap_model.hpp>
 
 #include <sstream>
 
@@ -13,7 +14,7 @@ using Json = nlohmann::json;
 void try_submap(const GmshBrep& model, std::span<const SolidId> solids, const MeshCommand& command, MethodTry& result) {
     IntervalOptions intervals;
     intervals.size = mesh_size(model, command);
-    SubmappedMesh mesh = submap_model(model, solids, intervals);
+    SubmappedMesh mesh = submap_model(model, solids, intervals, GlpkSolver{});
     Json& json = result.details;
     json["solids"] = Json::array();
     for (const SubmapSolidReport& solid : mesh.solids) {

@@ -5,9 +5,10 @@
 #include <pavior/cad/cap_mesh.hpp>
 #include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/core/error.hpp>
-#include <pavior/model/intervals.hpp>
-#include <pavior/model/recognition.hpp>
-#include <pavior/model/sweep_model.hpp>
+#include <pavior/glpk/solve_program.hpp>
+#include <pavior/one_to_one/intervals.hpp>
+#include <pavior/one_to_one/recognition.hpp>
+#include <pavior/one_to_one/sweep_model.hpp>
 
 namespace pavior::cli {
 
@@ -152,7 +153,7 @@ struct Attempt {
 Attempt attempt(const GmshBrep& model, const std::vector<SweepTopology>& sweeps, const SweepCommand& command,
                 const IntervalOptions& wishes, const Progress& progress) {
     report(progress, "intervals", 0);
-    Attempt result{assign_intervals(model, sweeps, wishes), {}};
+    Attempt result{assign_intervals(model, sweeps, wishes, GlpkSolver{}), {}};
     ModelSweepOptions options;
     options.solid.sweep = sweep_options(command);
     options.solid.smooth = command.smooth;

@@ -5,7 +5,7 @@
 #include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/core/progress.hpp>
 #include <pavior/io/mesh_file.hpp>
-#include <pavior/model/sweep_solid.hpp>
+#include <pavior/one_to_one/sweep_solid.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -1,10 +1,10 @@
-#include "block_cases.hpp"
+#include "support/block_cases.hpp"
 #include "support/catch.hpp"
 
 #include <pavior/block/dualize.hpp>
-#include <pavior/dual/contributions.hpp>
-#include <pavior/dual/dual_blocks.hpp>
-#include <pavior/dual/regions.hpp>
+#include <pavior/contributions/contributions.hpp>
+#include <pavior/contributions/dual_blocks.hpp>
+#include <pavior/contributions/regions.hpp>
 #include <pavior/dual/verify_dual.hpp>
 
 #include <algorithm>

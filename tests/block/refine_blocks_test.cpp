@@ -1,4 +1,4 @@
-#include "block_cases.hpp"
+#include "support/block_cases.hpp"
 #include "support/catch.hpp"
 
 #include <pavior/block/dualize.hpp>

@@ -3,7 +3,7 @@
 
 #include "support/catch.hpp"
 
-#include <pavior/model/brep.hpp>
+#include <pavior/brep/brep.hpp>
 
 #include <Eigen/Geometry>
 

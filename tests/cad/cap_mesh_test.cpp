@@ -2,11 +2,11 @@
 
 #include "cad/brep_checks.hpp"
 
+#include <pavior/brep/boundary_mesh.hpp>
 #include <pavior/math/quadrilateral.hpp>
 #include <pavior/mesh/boundary_loops.hpp>
 #include <pavior/mesh/span_mesh.hpp>
 #include <pavior/mesh/verify_quads.hpp>
-#include <pavior/model/boundary_mesh.hpp>
 
 #include <gmsh.h>
 

@@ -1,5 +1,5 @@
 // expect: face_period.*invalid
-#include <pavior/model/brep.hpp>
+#include <pavior/brep/brep.hpp>
 
 // Just enough of a model for the compiler.
 struct Model {

@@ -1,9 +1,9 @@
 #pragma once
 // Bodies from polygons at levels, and what the tests of the many-to-many sweep need to mesh them.
 
+#include <pavior/glpk/solve_program.hpp>
 #include <pavior/imprint/imprint.hpp>
-#include <pavior/model/integer_program.hpp>
-#include <pavior/model/polygon_body.hpp>
+#include <pavior/many_to_many/polygon_body.hpp>
 
 #include <cmath>
 #include <cstddef>

@@ -1,8 +1,8 @@
 #pragma once
 // A cap mesher for tests: one loop, seen as four sides, filled by transfinite interpolation in the parameter plane.
 
-#include <pavior/model/cap_boundary.hpp>
-#include <pavior/model/face_surface.hpp>
+#include <pavior/brep/face_surface.hpp>
+#include <pavior/one_to_one/cap_boundary.hpp>
 #include <pavior/sweep/transfinite.hpp>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 // Solids made with the CAD kernel behind Gmsh.
-#include <pavior/model/brep.hpp>
+#include <pavior/brep/brep.hpp>
 
 #include <gmsh.h>
 

@@ -4,13 +4,13 @@
 #include "support/dice.hpp"
 #include "support/occ_solids.hpp"
 
+#include <pavior/brep/chord_volume.hpp>
 #include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/cad/region_quads.hpp>
+#include <pavior/glpk/solve_program.hpp>
 #include <pavior/imprint/imprint.hpp>
+#include <pavior/many_to_many/multi_sweep_model.hpp>
 #include <pavior/mesh/verify_hexes.hpp>
-#include <pavior/model/chord_volume.hpp>
-#include <pavior/model/integer_program.hpp>
-#include <pavior/model/multi_sweep_model.hpp>
 
 #include <exception>
 #include <iostream>

@@ -1,6 +1,6 @@
 #pragma once
 // A boundary representation built in code: straight edges and circular arcs, flat faces and walls between two edges.
-#include <pavior/model/brep.hpp>
+#include <pavior/brep/brep.hpp>
 
 #include <Eigen/Geometry>
 

@@ -4,11 +4,7 @@
 
 #include <pavior/block/block_geometry.hpp>
 #include <pavior/block/block_mesh.hpp>
-#include <pavior/block/copy_reference.hpp>
 #include <pavior/block/dualize.hpp>
-#include <pavior/block/mark_published.hpp>
-#include <pavior/block/mark_sheets.hpp>
-#include <pavior/block/marking.hpp>
 #include <pavior/block/place_blocks.hpp>
 #include <pavior/block/refine_blocks.hpp>
 #include <pavior/block/verify_blocks.hpp>
@@ -17,9 +13,13 @@
 #include <pavior/core/stopwatch.hpp>
 #include <pavior/dual/cell_complex.hpp>
 #include <pavior/dual/classify.hpp>
+#include <pavior/dual/copy_reference.hpp>
 #include <pavior/dual/reference_mesh.hpp>
 #include <pavior/dual/tet_topology.hpp>
 #include <pavior/dual/verify_dual.hpp>
+#include <pavior/marking/mark_published.hpp>
+#include <pavior/marking/mark_sheets.hpp>
+#include <pavior/marking/marking.hpp>
 
 #include <cstddef>
 #include <cstdint>

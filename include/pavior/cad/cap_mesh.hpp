@@ -3,7 +3,7 @@
 /// All-quad meshes of CAD faces between given boundary nodes.
 
 #include <pavior/cad/gmsh_brep.hpp>
-#include <pavior/model/cap_boundary.hpp>
+#include <pavior/one_to_one/cap_boundary.hpp>
 
 namespace pavior {
 

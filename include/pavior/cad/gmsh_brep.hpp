@@ -2,9 +2,9 @@
 /// \file
 /// CAD files as a model of the brep concept: Gmsh's interface to OpenCASCADE, behind plain types.
 
+#include <pavior/brep/brep.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/math/point.hpp>
-#include <pavior/model/brep.hpp>
 
 #include <array>
 #include <cstddef>

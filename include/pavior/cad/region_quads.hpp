@@ -2,7 +2,7 @@
 /// \file
 /// All-quad meshes of plane regions between given boundary nodes.
 
-#include <pavior/mesh/plane_region.hpp>
+#include <pavior/many_to_many/plane_region.hpp>
 
 namespace pavior {
 

@@ -2,7 +2,7 @@
 /// \file
 /// Imprints curves in a plane into each other, with exact arithmetic.
 
-#include <pavior/mesh/plane_arrangement.hpp>
+#include <pavior/many_to_many/plane_arrangement.hpp>
 
 namespace pavior {
 

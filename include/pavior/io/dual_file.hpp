@@ -2,7 +2,7 @@
 /// \file
 /// Dual surfaces and regions as files, to look at.
 
-#include <pavior/dual/dual_surfaces.hpp>
+#include <pavior/contributions/dual_surfaces.hpp>
 
 #include <string>
 

@@ -1,9 +1,9 @@
 // A program that links the compiled components: an integer program, a mesh file, a decomposition, tetrahedra, an
 // arrangement.
+#include <pavior/glpk/solve_program.hpp>
 #include <pavior/imprint/imprint.hpp>
 #include <pavior/io/mesh_file.hpp>
 #include <pavior/math/small_svd.hpp>
-#include <pavior/model/integer_program.hpp>
 #include <pavior/tetra/tetrahedralize.hpp>
 
 #include <array>

@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// Solids that are extrusions in one direction, piece by piece: caps at any heights, sides along the direction. Plain
+/// data and the geometry that goes with it, without CAD.
+
+#include <pavior/many_to_many/plane_arrangement.hpp>
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <vector>
+
+namespace pavior {
+
+/// A right-handed orthonormal frame whose third axis is the direction of extrusion. The origin is that of space.
+struct ExtrusionFrame {
+    Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), direction = Vec3::UnitZ();
+
+    [[nodiscard]] Vec3 to_frame(const Vec3& p) const { return {p.dot(x), p.dot(y), p.dot(direction)}; }
+    [[nodiscard]] Vec3 to_space(const Vec3& q) const { return q[0] * x + q[1] * y + q[2] * direction; }
+};
+
+/// A curve that is nowhere parallel to the direction: an edge of a cap, or of a side.
+struct ExtrudedCurve {
+    std::array<Index, 2> vertices{no_index, no_index};  ///< in ExtrudedBody::vertices, equal for a closed curve
+    double size = 0;                                    ///< wished length of its mesh edges; 0: the general one
+    int tag = 0;                                        ///< by which users know it
+};
+
+/// A face that is a graph over the plane normal to the direction.
+struct ExtrudedCap {
+    std::vector<Index> curves;  ///< of its boundary, in any order; one that it passes twice appears twice
+    Index below = no_index, above = no_index;  ///< solids on its two sides, no_index: none
+    int tag = 0;
+};
+
+/// A face parallel to the direction.
+struct ExtrudedSide {
+    std::vector<Index> curves;  ///< of its boundary, without those parallel to the direction
+    int tag = 0;
+};
+
+/// All coordinates are those of the frame: two in the plane, and the height along the direction.
+struct ExtrudedBody {
+    ExtrusionFrame frame;
+    std::vector<Vec3> vertices;
+    std::vector<ExtrudedCurve> curves;
+    PlaneCurves plane;  ///< the curves projected into the plane, as polylines
+    std::vector<ExtrudedCap> caps;
+    std::vector<ExtrudedSide> sides;
+};
+
+/// G evaluates the curves and caps of a body, in the frame:
+/// 1. g.curve_point(curve, near) is the point of the curve whose projection is next to `near` in the plane;
+/// 2. g.cap_height(cap, at) is the height of the surface of the cap over `at`, which lies in the cap or next to it.
+template <class G>
+concept extruded_geometry = requires(const G& g, Index id, const Vec2& at) {
+    { g.curve_point(id, at) } -> std::convertible_to<Vec3>;
+    { g.cap_height(id, at) } -> std::convertible_to<double>;
+};
+
+}  // namespace pavior

@@ -1,0 +1,204 @@
+#pragma once
+/// \file
+/// Marking that does not depend on the reference mesh: implicit sheets cut it.
+
+#include <pavior/dual/copy_reference.hpp>
+#include <pavior/dual/tet_topology.hpp>
+#include <pavior/marking/cut.hpp>
+#include <pavior/marking/field.hpp>
+#include <pavior/marking/fronts.hpp>
+#include <pavior/marking/groups.hpp>
+#include <pavior/marking/judge_marking.hpp>
+#include <pavior/marking/repair_axis.hpp>
+#include <pavior/marking/repair_corner.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace pavior {
+
+namespace detail {
+
+[[nodiscard]] inline double diagonal(std::span<const Vec3> nodes) {
+    Vec3 low = nodes[0];
+    Vec3 high = nodes[0];
+    for (const Vec3& x : nodes) {
+        low = low.cwiseMin(x);
+        high = high.cwiseMax(x);
+    }
+    return (high - low).norm();
+}
+
+/// The curves at which the fronts of a group lie.
+[[nodiscard]] inline std::vector<std::int32_t> curves_of(const SheetGroup& group, std::span<const Front> fronts) {
+    std::vector<std::int32_t> curves;
+    for (const SheetMember& member : group.members) {
+        for (const Index f : member.fronts) {
+            curves.push_back(fronts[f].curve);
+        }
+    }
+    std::sort(curves.begin(), curves.end());
+    curves.erase(std::unique(curves.begin(), curves.end()), curves.end());
+    return curves;
+}
+
+/// One reference mesh and what all tries to mark it share.
+class SheetMarker {
+public:
+    SheetMarker(const ReferenceMesh& mesh, const MarkingOptions& options)
+        : mesh_(mesh),
+          options_(options),
+          size_(diagonal(mesh.nodes)),
+          tolerance_(options.tolerance * size_),
+          topology_(tet_topology(mesh)),
+          boundary_(front_boundary(mesh, topology_)),
+          fronts_(sheet_fronts(mesh, topology_, boundary_, tolerance_)) {}
+
+    [[nodiscard]] std::vector<SheetGroup> groups(Grouping grouping) const {
+        return sheet_groups(fronts_, boundary_, mesh_.nodes, grouping, tolerance_, options_.blend_angle);
+    }
+
+    [[nodiscard]] MarkedMesh mark(Grouping grouping, const std::vector<SheetGroup>& groups,
+                                  Propagation propagation) const {
+        CutMesh cut{mesh_, {}, {}};
+        SheetReport report;
+        report.grouping = grouping;
+        if (!mesh_.layers.empty()) {
+            report.sheets.push_back({SheetKind::given, {}, 0});
+            cut.layer_sheets.assign(mesh_.layers.size(), 0);
+        }
+        for (const SheetGroup& group : groups) {
+            SheetCut sheet = sheet_field(cut.mesh, group, fronts_, boundary_, tolerance_);
+            cut_sheet(cut, sheet, static_cast<Index>(report.sheets.size()), propagation);
+            report.sheets.push_back({group.kind, curves_of(group, fronts_), 0});
+            pavior::report(options_.progress, "sheets",
+                           static_cast<double>(report.sheets.size()) / static_cast<double>(groups.size() + 1));
+        }
+        repair(cut, report, propagation);
+        return {std::move(cut.mesh), std::move(report)};
+    }
+
+private:
+    /// Adds sheets until nothing is violated, there is nothing to add or blocks or violations get out of hand.
+    void repair(CutMesh& cut, SheetReport& report, Propagation propagation) const {
+        CellSnapshot now = cell_snapshot(cut.mesh);
+        const double limit =
+            options_.max_growth * static_cast<double>(std::max<std::size_t>(now.complex.corners.size(), 16));
+        const std::size_t most = 16 * (now.report.violations.size() + 4);
+        while (!now.report.valid() && now.report.violations.size() <= most && report.rounds < options_.max_rounds &&
+               static_cast<double>(now.complex.corners.size()) <= limit) {
+            std::vector<RepairSheet> repairs = repair_axes(cut.mesh, now, size_);
+            if (repairs.empty()) {
+                if (auto corner = repair_corner(cut.mesh, now, tolerance_, size_)) {
+                    repairs.push_back(std::move(*corner));
+                }
+            }
+            const std::size_t before = cut.mesh.layers.size();
+            cut_repairs(cut, repairs, propagation, tolerance_, static_cast<Index>(report.sheets.size()));
+            for (const RepairSheet& r : repairs) {
+                report.sheets.push_back({r.kind, {}, 0});
+            }
+            ++report.rounds;
+            pavior::report(options_.progress, "repair", static_cast<double>(report.rounds) / options_.max_rounds);
+            if (cut.mesh.layers.size() == before) {
+                break;
+            }
+            now = cell_snapshot(cut.mesh);
+        }
+        report.layer_sheets = cut.layer_sheets;
+        judge_marking(cut.mesh, now, options_, report);
+    }
+
+    const ReferenceMesh& mesh_;
+    const MarkingOptions& options_;
+    double size_;
+    double tolerance_;
+    TetTopology topology_;
+    FrontBoundary boundary_;
+    std::vector<Front> fronts_;
+};
+
+/// The better of the two groupings.
+[[nodiscard]] inline MarkedMesh mark_best(const SheetMarker& marker, Propagation propagation) {
+    const std::vector<SheetGroup> exact = marker.groups(Grouping::exact);
+    MarkedMesh best = marker.mark(Grouping::exact, exact, propagation);
+    best.report.tries = 1;
+    const std::vector<SheetGroup> blended = marker.groups(Grouping::blended);
+    if (blended.size() != exact.size()) {
+        MarkedMesh other = marker.mark(Grouping::blended, blended, propagation);
+        if (better_marking(other.report, best.report)) {
+            best = std::move(other);
+        }
+        best.report.tries = 2;
+    }
+    return best;
+}
+
+/// True if stopped sheets are no worse than whole ones but for their Jacobians, which stay positive, and make fewer
+/// blocks.
+[[nodiscard]] inline bool stop_pays(const SheetReport& stopped, const SheetReport& whole) {
+    return stopped.valid &&
+           (!whole.valid || (stopped.blocks < whole.blocks && (stopped.quality > 0 || !(whole.quality > 0))));
+}
+
+/// True if whole sheets failed without making so many blocks that nothing better can be hoped for.
+[[nodiscard]] inline bool worth_stopping(const SheetReport& whole) { return !whole.valid && whole.blocks <= 4096; }
+
+/// Every inner face becomes a layer: midpoint subdivision of the tetrahedra.
+[[nodiscard]] inline MarkedMesh mark_everything(const ReferenceMesh& mesh, const MarkingOptions& options) {
+    MarkedMesh out{mesh, {}};
+    const TetTopology topology = tet_topology(mesh);
+    out.reference.layers.clear();
+    for (const Index f : IndexRange(topology.faces.size())) {
+        if (!topology.boundary(f)) {
+            out.reference.layers.push_back(topology.faces[f]);
+        }
+    }
+    out.report.sheets = {{SheetKind::everything, {}, 0}};
+    out.report.layer_sheets.assign(out.reference.layers.size(), 0);
+    judge_marking(out.reference, cell_snapshot(out.reference), options, out.report);
+    return out;
+}
+
+}  // namespace detail
+
+/// Marks layers with implicit sheets: each front (a re-entrant curve and a patch beside it) is continued into the solid
+/// along the surface that fits the patch; fronts on one surface share a sheet, and the sheet is cut into the
+/// tetrahedra wherever it passes, so that the result does not depend on \p mesh. Extra sheets then repair what is
+/// not valid: planes through the axes of closed curves and round patches, planes through two curves of corners with
+/// more than three. Fronts that face each other on slightly tilted surfaces are tried as one bent sheet too; the better
+/// result (better_marking()) is kept. What is left invalid is in the report.
+/// With Propagation::stop, or where whole sheets find no valid marking (of some thousand blocks at most), each sheet
+/// ends at chains that exist already, unless that leaves more to repair than the whole sheet does; the result of
+/// Propagation::full is kept if that is valid and has no more blocks.
+/// The mesh must be a reference mesh of the solid: patches, curves, vertices (make_reference_mesh()). Its layers stay.
+/// O(n) a sheet; tetrahedra grow by 1.5 to 3 times. Deterministic. \throws what tet_topology() and classify() throw
+template <classified_tet_mesh M>
+[[nodiscard]] MarkedMesh mark_sheets(const M& mesh, const MarkingOptions& options = {}) {
+    const ReferenceMesh reference = detail::copy_reference(mesh);
+    if (reference.tets.empty()) {
+        throw InputError(ErrorCode::empty_input, "a reference mesh without tetrahedra");
+    }
+    const detail::SheetMarker marker(reference, options);
+    MarkedMesh best = detail::mark_best(marker, Propagation::full);
+    if (options.propagation == Propagation::stop || detail::worth_stopping(best.report)) {
+        MarkedMesh stopped = detail::mark_best(marker, Propagation::stop);
+        stopped.report.tries += best.report.tries;
+        if (detail::stop_pays(stopped.report, best.report)) {
+            best = std::move(stopped);
+        }
+    }
+    if (!best.report.valid && options.split_everything) {
+        const int tries = best.report.tries;
+        best = detail::mark_everything(reference, options);
+        best.report.tries = tries + 1;
+    }
+    return best;
+}
+
+}  // namespace pavior

@@ -1,0 +1,82 @@
+#pragma once
+/// \file
+/// The boundary nodes of a cap, and the cap meshes made from them.
+
+#include <pavior/brep/boundary_mesh.hpp>
+#include <pavior/core/error.hpp>
+#include <pavior/sweep/unwrap.hpp>
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pavior {
+
+/// Boundary nodes of a face, loop by loop in the order and sense of its own loops, one entry a node.
+struct CapBoundary {
+    std::vector<std::size_t> offsets{0};  ///< loop l is [offsets[l], offsets[l + 1])
+    std::vector<Index> ids;               ///< node ids of the BoundaryMesh
+    std::vector<Vec3> points;
+    std::vector<Vec2> uv;  ///< continuous along each loop; holes on the same sheet as the outer loop
+};
+
+/// All-quad mesh of a cap: nodes 0 .. m-1 are the m boundary nodes in the order given, inner nodes follow. Quads are
+/// counter-clockwise about the face's own normal.
+struct CapMesh {
+    std::vector<Vec3> nodes;
+    std::vector<Vec2> uv;  ///< parameters on the face, one a node
+    std::vector<QuadCorners> quads;
+};
+
+/// M makes cap meshes: m(face, boundary) returns a CapMesh, or throws an Error that names the face.
+template <class M>
+concept cap_mesher = requires(M&& m, FaceId face, const CapBoundary& boundary) {
+    { m(face, boundary) } -> std::convertible_to<CapMesh>;
+};
+
+/// Collects the boundary of \p face, whose edges must be meshed. O(boundary nodes).
+template <brep B>
+[[nodiscard]] CapBoundary cap_boundary(const B& b, const BoundaryMesh& mesh, FaceId face) {
+    CapBoundary result;
+    const Periods periods = b.face_period(face);
+    for (const EdgeLoop& loop : b.face_loops(face)) {
+        ChainNodes chain = chain_nodes(b, mesh, loop, face, true);
+        unwrap_chain(chain.uv, periods);
+        chain.nodes.pop_back();  // the first node again
+        chain.uv.pop_back();
+        if (result.offsets.size() > 1) {
+            const auto outer = std::span(result.uv).first(result.offsets[1]);
+            const Vec2 shift = inside_shift(chain.uv.front(), outer, periods);
+            for (Vec2& uv : chain.uv) {
+                uv += shift;
+            }
+        }
+        for (std::size_t i = 0; i < chain.nodes.size(); ++i) {
+            result.ids.push_back(chain.nodes[i]);
+            result.points.push_back(mesh.nodes[chain.nodes[i]]);
+            result.uv.push_back(chain.uv[i]);
+        }
+        result.offsets.push_back(result.ids.size());
+    }
+    return result;
+}
+
+/// Meshes \p face with \p mesher between the nodes of its edges and stores it in mesh.faces[face].
+template <brep B, cap_mesher M>
+void mesh_cap_face(const B& b, BoundaryMesh& mesh, FaceId face, M&& mesher) {
+    const CapBoundary boundary = cap_boundary(b, mesh, face);
+    const CapMesh cap = mesher(face, boundary);
+    PAVIOR_ASSERT(cap.nodes.size() >= boundary.ids.size() && cap.uv.size() == cap.nodes.size());
+    FaceMesh& result = mesh.faces[face.index()];
+    result.nodes = boundary.ids;
+    for (std::size_t i = boundary.ids.size(); i < cap.nodes.size(); ++i) {
+        result.nodes.push_back(mesh.add_node(cap.nodes[i]));
+    }
+    result.uv = cap.uv;
+    result.quads = cap.quads;
+}
+
+}  // namespace pavior

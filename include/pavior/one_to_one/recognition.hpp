@@ -1,0 +1,171 @@
+#pragma once
+/// \file
+/// Recognition of one-to-one sweepable solids \cite roca2009 (section 2.1, conditions (i) to (iv)).
+
+#include <pavior/one_to_one/side_stacking.hpp>
+#include <pavior/one_to_one/sweep_conditions.hpp>
+#include <pavior/one_to_one/sweep_shape.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pavior {
+
+struct RecognitionOptions {
+    bool stacked = true;           ///< also look for linking sides that lie above each other along the sweep
+    StackingOptions stacking;      ///< used if `stacked`
+    double max_deviation = 85.0;   ///< corners of linking sides, and their angles to the caps, are 90 +- this, degrees
+    std::size_t max_refusals = 3;  ///< how many pairs of an unsweepable solid are explained
+};
+
+/// All ways to sweep a solid, best first (`better_sweep`), or the reasons why there is none.
+struct Recognition {
+    SolidId solid;
+    std::vector<SweepTopology> candidates;  ///< unordered pairs: the source is the face with the lower id
+    std::vector<SweepRefusal> refusals;     ///< only if there is no candidate: the pairs that come closest, best first
+
+    [[nodiscard]] bool sweepable() const { return !candidates.empty(); }
+};
+
+namespace detail {
+
+/// A pair of caps: the sweep between them, or what is wrong with the shape of the sweep that topology allows, or
+/// neither.
+struct PairOutcome {
+    std::optional<SweepTopology> sweep;
+    std::vector<SweepObstacle> obstacles;
+};
+
+/// Judges two faces of a solid (positions).
+template <brep B>
+[[nodiscard]] PairOutcome judge_pair(const B& b, const SolidBoundary& solid, const RolePatterns& patterns,
+                                     std::size_t source, std::size_t target, const RecognitionOptions& options,
+                                     std::size_t& tests_left) {
+    PairOutcome result;
+    if (caps_fit(solid, source, target)) {
+        result.sweep = find_direct_sweep(solid, source, target);
+        if (!result.sweep && options.stacked) {
+            result.sweep = find_stacked_sweep(solid, patterns, source, target, tests_left);
+        }
+    }
+    if (result.sweep) {
+        result.sweep->shape = sweep_shape(b, *result.sweep);
+        result.obstacles = shape_obstacles(b, *result.sweep, options.max_deviation);
+        if (!result.obstacles.empty()) {
+            result.sweep.reset();
+        }
+    }
+    return result;
+}
+
+/// The position of face \p f in the solid. \throws InputError bad_option
+template <brep B>
+[[nodiscard]] std::size_t face_position(const B& b, const SolidBoundary& solid, FaceId f) {
+    for (std::size_t i = 0; i < solid.faces.size(); ++i) {
+        if (solid.faces[i].face.face == f) {
+            return i;
+        }
+    }
+    const std::string name = f.valid() && f.index() < b.face_count() ? std::to_string(b.tag(2, f.index())) : "?";
+    throw InputError(ErrorCode::bad_option, "face " + name + " is not a face of solid " + std::to_string(solid.tag),
+                     {f.value});
+}
+
+/// Adds the pairs that break the fewest conditions, explained, until there are \p count.
+inline void add_closest_refusals(const SolidBoundary& solid, std::size_t count, std::vector<SweepRefusal>& refusals) {
+    if (solid.faces.size() < 3) {
+        refusals.push_back(too_few_faces(solid));
+        return;
+    }
+    for (const auto& [source, target] : closest_pairs(solid, count)) {
+        const auto known = [&, s = solid.faces[source].face.face, t = solid.faces[target].face.face](const auto& r) {
+            return (r.source == s && r.target == t) || (r.source == t && r.target == s);
+        };
+        if (refusals.size() < count && std::none_of(refusals.begin(), refusals.end(), known)) {
+            refusals.push_back(explain_refusal(solid, source, target));
+        }
+    }
+}
+
+}  // namespace detail
+
+/// Finds every pair of faces of \p solid between which it is a one-to-one sweep, and ranks the pairs.
+///
+/// Conditions: the caps have equally many loops, no seam, and touch nowhere; every other face is a linking side (one
+/// loop, four logical sides or a union of such rectangles); the linking sides form, round each loop of the source, a
+/// ring that ends at exactly one loop of the target. Side faces that reach from cap to cap are judged by topology
+/// alone, side faces above each other also by their corner angles (StackingOptions). Corners of linking sides and
+/// angles between them and the caps near 0, near 180 (a fillet at the rim of a cap) or beyond are refused, since the
+/// hexahedra there cannot be valid (max_deviation). Geometry is not checked further.
+/// Sides above each other are searched for within a bounded amount of work (StackingOptions::max_tests), so that a
+/// sweep may be missed on solids with hundreds of faces whose corners are ambiguous; direct sweeps are never missed.
+/// Deterministic. O(f^2) face pairs, each O(n) for n edges, most of them rejected early.
+/// \throws InputError non_manifold if the faces do not close the solid.
+template <brep B>
+[[nodiscard]] Recognition recognise_sweeps(const B& b, SolidId solid, const RecognitionOptions& options = {}) {
+    const SolidBoundary boundary = solid_boundary(b, solid);
+    Recognition result;
+    result.solid = solid;
+    const detail::RolePatterns patterns(boundary, options.stacking);
+    std::size_t tests_left = options.stacking.max_tests;
+    std::vector<SweepRefusal> misshapen;
+    for (std::size_t i = 0; i < boundary.faces.size(); ++i) {
+        for (std::size_t j = i + 1; j < boundary.faces.size(); ++j) {
+            const bool ordered = boundary.faces[i].face.face < boundary.faces[j].face.face;
+            const std::size_t source = ordered ? i : j, target = ordered ? j : i;
+            detail::PairOutcome outcome =
+                detail::judge_pair(b, boundary, patterns, source, target, options, tests_left);
+            if (outcome.sweep) {
+                result.candidates.push_back(std::move(*outcome.sweep));
+            } else if (!outcome.obstacles.empty()) {
+                misshapen.push_back(make_refusal(boundary, source, target, std::move(outcome.obstacles)));
+            }
+        }
+    }
+    std::stable_sort(result.candidates.begin(), result.candidates.end(), better_sweep);
+    if (result.candidates.empty()) {
+        result.refusals = std::move(misshapen);
+        result.refusals.resize(std::min(result.refusals.size(), options.max_refusals));
+        detail::add_closest_refusals(boundary, options.max_refusals, result.refusals);
+    }
+    return result;
+}
+
+/// The sweep of \p solid from \p source to \p target. \throws UnmeshableError not_sweepable with the reason and the
+/// user's tags of the faces concerned; InputError bad_option if one is not a face of the solid or both are the same.
+template <brep B>
+[[nodiscard]] SweepTopology sweep_between(const B& b, SolidId solid, FaceId source, FaceId target,
+                                          const RecognitionOptions& options = {}) {
+    const SolidBoundary boundary = solid_boundary(b, solid);
+    const std::size_t s = detail::face_position(b, boundary, source);
+    const std::size_t t = detail::face_position(b, boundary, target);
+    if (s == t) {
+        throw InputError(ErrorCode::bad_option, "source and target are the same face", {boundary.faces[s].tag});
+    }
+    const detail::RolePatterns patterns(boundary, options.stacking);
+    std::size_t tests_left = options.stacking.max_tests;
+    detail::PairOutcome outcome = detail::judge_pair(b, boundary, patterns, s, t, options, tests_left);
+    if (!outcome.sweep) {
+        throw detail::not_sweepable_error(
+            boundary, {outcome.obstacles.empty() ? explain_refusal(boundary, s, t)
+                                                 : make_refusal(boundary, s, t, std::move(outcome.obstacles))});
+    }
+    return std::move(*outcome.sweep);
+}
+
+/// The best candidate. \throws UnmeshableError not_sweepable with the reasons and the user's tags of the faces
+/// concerned if there is none.
+template <brep B>
+[[nodiscard]] SweepTopology best_sweep(const B& b, SolidId solid, const RecognitionOptions& options = {}) {
+    Recognition recognition = recognise_sweeps(b, solid, options);
+    if (recognition.candidates.empty()) {
+        throw detail::not_sweepable_error(solid_boundary(b, solid), recognition.refusals);
+    }
+    return std::move(recognition.candidates.front());
+}
+
+}  // namespace pavior

@@ -1,0 +1,26 @@
+#include "support/catch.hpp"
+
+#include <pavior/marking/marking.hpp>
+
+#include <set>
+
+using namespace pavior;
+
+TEST_CASE("every kind of sheet has a name of its own") {
+    std::set<std::string_view> names;
+    int kinds = 0;
+    for (; to_string(static_cast<SheetKind>(kinds)) != "unknown"; ++kinds) {
+        names.insert(to_string(static_cast<SheetKind>(kinds)));
+    }
+    CHECK(kinds == 8);
+    CHECK(names.size() == 8);
+    CHECK(to_string(SheetKind::front) == "front");
+}
+
+TEST_CASE("by default implicit sheets run to the boundary, and what fails is reported") {
+    const MarkingOptions options;
+    CHECK(options.marking == Marking::sheets);
+    CHECK(options.propagation == Propagation::full);
+    CHECK_FALSE(options.split_everything);
+    CHECK_FALSE(SheetReport{}.valid);
+}
