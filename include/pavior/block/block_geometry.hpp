@@ -5,6 +5,7 @@
 #include <pavior/block/chain_curve.hpp>
 #include <pavior/block/patch_map.hpp>
 #include <pavior/core/execution.hpp>
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/dual/cell_complex.hpp>
 #include <pavior/dual/reference_mesh.hpp>
 #include <pavior/dual/tet_topology.hpp>

@@ -10,6 +10,7 @@
 #include <pavior/block/sheet_intervals.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/core/execution.hpp>
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/core/progress.hpp>
 #include <pavior/mesh/span_mesh.hpp>
 #include <pavior/smooth/hexes.hpp>

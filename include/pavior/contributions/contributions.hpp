@@ -5,6 +5,7 @@
 #include <pavior/contributions/candidates.hpp>
 #include <pavior/contributions/matching_rules.hpp>
 #include <pavior/core/execution.hpp>
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/dual/classify.hpp>
 #include <pavior/dual/tet_topology.hpp>
 

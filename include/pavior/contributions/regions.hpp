@@ -2,6 +2,7 @@
 /// \file
 /// The regions into which the local dual contributions divide the solid: nodes of the block mesh.
 
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/contributions/contributions.hpp>
 #include <pavior/dual/detail/index_sets.hpp>
 
@@ -192,7 +193,7 @@ template <tet_mesh M>
         throw InputError(ErrorCode::overflow, "2^32 pieces or more: " + std::to_string(ids.end));
     }
     detail::IndexSets sets(ids.end);
-    const bool shared = execution.resolved() > 1;
+    const bool shared = thread_count(execution) > 1;
     parallel_for(execution, contributions.size(), 1024, [&](std::size_t begin, std::size_t end) {
         if (shared) {
             detail::join_pieces(mesh, topology, contributions, ids, begin, end, detail::SharedPieceJoiner(sets));

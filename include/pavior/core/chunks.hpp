@@ -3,6 +3,7 @@
 /// Reductions that give the same bytes for any number of threads.
 
 #include <pavior/core/execution.hpp>
+#include <pavior/core/parallel_for.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -3,6 +3,7 @@
 /// The cell complex that the layer faces cut the solid into. Its midpoint subdivision is what the local dual
 /// contributions of chapter 5 \cite roca2009 compute: block nodes = cells of all dimensions, blocks = corners.
 
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/dual/classify.hpp>
 #include <pavior/dual/detail/chain_tracer.hpp>
 #include <pavior/dual/detail/corner_finder.hpp>
@@ -89,7 +90,7 @@ namespace detail {
 inline void number_cells(const TetTopology& topology, const EntityClasses& classes, Execution execution,
                          CellComplex& out) {
     IndexSets sets(topology.tet_faces.size());
-    const bool shared = execution.resolved() > 1;
+    const bool shared = thread_count(execution) > 1;
     parallel_for(execution, topology.faces.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
             const auto [a, b] = topology.face_tets[f];

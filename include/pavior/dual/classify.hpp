@@ -2,6 +2,7 @@
 /// \file
 /// Classes of the faces, edges and nodes of a reference mesh (Algorithms 5.9 to 5.11 \cite roca2009).
 
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/dual/reference_mesh.hpp>
 #include <pavior/dual/tet_topology.hpp>
 

@@ -2,6 +2,7 @@
 /// \file
 /// The edges and faces of a tetrahedral mesh: flat arrays, no hashing.
 
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/dual/detail/topology_pieces.hpp>
 
 #include <algorithm>
@@ -90,7 +91,7 @@ template <tet_mesh M>
     }
     TetTopology out;
     out.node_rank = detail::rank_nodes(mesh);
-    const std::size_t pieces = std::clamp<std::size_t>(tets / 4096, 1, execution.resolved());
+    const std::size_t pieces = std::clamp<std::size_t>(tets / 4096, 1, thread_count(execution));
     const detail::RankedTets ranked = detail::ranked_tets(mesh, out.node_rank, execution, pieces);
     out.tet_edges.resize(tets);
     out.tet_faces.resize(tets);

@@ -2,6 +2,7 @@
 /// \file
 /// Quality of meshes: statistics and histograms of the metrics of their cells.
 
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/core/chunks.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/math/hexahedron.hpp>

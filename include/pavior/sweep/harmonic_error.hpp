@@ -5,6 +5,7 @@
 #include <pavior/core/assert.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/core/execution.hpp>
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/math/point.hpp>
 #include <pavior/mesh/cells.hpp>
 #include <pavior/sweep/detail/verify_loops.hpp>

@@ -3,6 +3,7 @@
 /// The nodes of a sweep, level by level: Algorithm 4.1 \cite roca2009.
 
 #include <pavior/core/execution.hpp>
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/core/progress.hpp>
 #include <pavior/sweep/boundary_error.hpp>
 #include <pavior/sweep/detail/cap_array.hpp>

@@ -5,6 +5,7 @@
 #include <pavior/affine/fit.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/core/execution.hpp>
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/sweep/node_kernel.hpp>
 #include <pavior/sweep/problem.hpp>
 

@@ -1,5 +1,6 @@
 // A program that knows pavior's headers and nothing else: a mesh type of its own, its boundary, and threads.
 #include <pavior/core/execution.hpp>
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/math/affine_map.hpp>
 #include <pavior/mesh/boundary_loops.hpp>
 

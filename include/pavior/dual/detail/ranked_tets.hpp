@@ -3,6 +3,7 @@
 /// Tetrahedra filed under their nodes, for tet_topology().
 
 #include <pavior/core/execution.hpp>
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/dual/detail/check_tet.hpp>
 #include <pavior/mesh/mesh_access.hpp>
 

@@ -4,6 +4,7 @@
 
 #include <pavior/core/error.hpp>
 #include <pavior/core/execution.hpp>
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/dual/detail/ranked_tets.hpp>
 
 #include <algorithm>

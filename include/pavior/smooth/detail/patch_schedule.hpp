@@ -3,6 +3,7 @@
 /// Runs over patches that share no cell, in parallel where that pays.
 
 #include <pavior/core/execution.hpp>
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/smooth/detail/patch.hpp>
 
 #include <algorithm>
@@ -28,7 +29,7 @@ void for_each_patch(const Execution& execution, const std::vector<Patch<D>>& pat
         }
     }
     std::atomic<std::size_t> next{0};
-    parallel_for(execution, std::min<std::size_t>(execution.resolved(), small.size()), 1,
+    parallel_for(execution, std::min<std::size_t>(thread_count(execution), small.size()), 1,
                  [&](std::size_t, std::size_t) {
                      for (std::size_t at = next++; at < small.size(); at = next++) {
                          body(small[at], sequential);

@@ -1,6 +1,7 @@
 #include "support/catch.hpp"
 
 #include <pavior/core/execution.hpp>
+#include <pavior/core/parallel_for.hpp>
 
 #include <stdexcept>
 #include <vector>
