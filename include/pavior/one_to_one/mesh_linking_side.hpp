@@ -2,6 +2,7 @@
 /// \file
 /// Structured mesh of one linking side of a CAD model, on its surface, between the nodes of its edges.
 
+#include <pavior/one_to_one/sweep_topology.hpp>
 #include <pavior/brep/boundary_mesh.hpp>
 #include <pavior/brep/face_surface.hpp>
 #include <pavior/lattice/submap_face.hpp>

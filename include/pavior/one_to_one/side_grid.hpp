@@ -2,6 +2,7 @@
 /// \file
 /// The structured meshes of linking sides, and the loops of all levels that they make up.
 
+#include <pavior/one_to_one/sweep_topology.hpp>
 #include <pavior/brep/boundary_mesh.hpp>
 #include <pavior/brep/match_quads.hpp>
 #include <pavior/core/assert.hpp>

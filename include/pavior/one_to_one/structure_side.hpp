@@ -2,6 +2,7 @@
 /// \file
 /// Rows and columns in the mesh of a linking side that was made elsewhere.
 
+#include <pavior/one_to_one/sweep_topology.hpp>
 #include <pavior/brep/boundary_mesh.hpp>
 #include <pavior/brep/match_quads.hpp>
 #include <pavior/one_to_one/side_grid.hpp>

@@ -2,6 +2,7 @@
 /// \file
 /// The sweep of one solid of a CAD model whose source cap and linking sides are meshed.
 
+#include <pavior/one_to_one/sweep_topology.hpp>
 #include <pavior/brep/face_surface.hpp>
 #include <pavior/brep/match_quads.hpp>
 #include <pavior/core/error.hpp>
