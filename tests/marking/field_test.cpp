@@ -1,6 +1,7 @@
 #include "support/catch.hpp"
 #include "support/tet_meshes.hpp"
 
+#include <pavior/marking/field-inl.hpp>
 #include <pavior/marking/field.hpp>
 
 #include <array>

@@ -2,6 +2,7 @@
 #include "support/tet_meshes.hpp"
 
 #include <pavior/marking/mark_sheets.hpp>
+#include <pavior/marking/repair_corner-inl.hpp>
 #include <pavior/marking/repair_corner.hpp>
 
 using namespace pavior;

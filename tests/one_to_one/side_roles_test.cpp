@@ -1,3 +1,4 @@
+#include <pavior/one_to_one/side_roles-inl.hpp>
 #include <pavior/one_to_one/side_roles.hpp>
 
 #include "support/catch.hpp"

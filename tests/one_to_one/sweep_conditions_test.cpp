@@ -1,3 +1,4 @@
+#include <pavior/one_to_one/sweep_conditions-inl.hpp>
 #include <pavior/one_to_one/sweep_conditions.hpp>
 
 #include "support/catch.hpp"

@@ -3,6 +3,7 @@
 /// Pseudo-area and pseudo-normal of loops and multi-loops; Section 3.3.1 \cite roca2009.
 
 #include <pavior/affine/centring.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/math/small_svd.hpp>
 #include <pavior/math/streamed_qr.hpp>
@@ -32,12 +33,7 @@ struct PseudoNormal {
 };
 
 /// \throws InputError bad_index if \p offsets is not 0 = o_0 <= o_1 <= ... <= o_p = \p m with p >= 1
-inline void verify_loop_offsets(std::span<const std::size_t> offsets, std::size_t m) {
-    if (offsets.size() < 2 || offsets.front() != 0 || offsets.back() != m ||
-        !std::is_sorted(offsets.begin(), offsets.end())) {
-        throw InputError(ErrorCode::bad_index, "loop offsets do not run from 0 to the number of points");
-    }
-}
+PAVIOR_INLINE void verify_loop_offsets(std::span<const std::size_t> offsets, std::size_t m);
 
 namespace detail {
 
@@ -167,3 +163,7 @@ template <class Derived, class Scalar = typename Derived::Scalar, int N = Derive
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/affine/pseudo_area-inl.hpp>
+#endif

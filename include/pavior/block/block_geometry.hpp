@@ -4,6 +4,7 @@
 
 #include <pavior/block/chain_curve.hpp>
 #include <pavior/block/patch_map.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/core/execution.hpp>
 #include <pavior/core/parallel_for.hpp>
 #include <pavior/dual/cell_complex.hpp>
@@ -15,7 +16,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,23 +44,7 @@ struct Members {
     std::vector<std::size_t> begin;
     std::vector<Index> items;
 
-    Members(const std::vector<Index>& class_of, std::size_t classes) : begin(classes + 1, 0) {
-        for (const Index c : class_of) {
-            if (c != no_index) {
-                ++begin[c + 1];
-            }
-        }
-        for (std::size_t c = 0; c < classes; ++c) {
-            begin[c + 1] += begin[c];
-        }
-        items.resize(begin.back());
-        std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-        for (std::size_t i = 0; i < class_of.size(); ++i) {
-            if (class_of[i] != no_index) {
-                items[next[class_of[i]]++] = static_cast<Index>(i);
-            }
-        }
-    }
+    Members(const std::vector<Index>& class_of, std::size_t classes);
     [[nodiscard]] std::span<const Index> of(std::size_t c) const {
         return std::span(items).subspan(begin[c], begin[c + 1] - begin[c]);
     }
@@ -82,14 +66,7 @@ template <tet_mesh M>
 }
 
 /// Nodes along one side of a patch, from its vertex.
-[[nodiscard]] inline std::vector<Index> side_nodes(const CellComplex& complex, const PatchSide& side) {
-    const std::span<const Index> path = complex.chain_path(side.chain);
-    std::vector<Index> nodes(path.begin(), path.end());
-    if (side.reversed) {
-        std::reverse(nodes.begin(), nodes.end());
-    }
-    return nodes;
-}
+[[nodiscard]] PAVIOR_INLINE std::vector<Index> side_nodes(const CellComplex& complex, const PatchSide& side);
 
 /// The disc of a patch, numbered from 0, turned as its sides run.
 template <tet_mesh M>
@@ -227,3 +204,7 @@ template <classified_tet_mesh M>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/block/block_geometry-inl.hpp>
+#endif

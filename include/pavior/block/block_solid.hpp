@@ -4,10 +4,9 @@
 
 #include <pavior/block/block_geometry.hpp>
 #include <pavior/block/block_mesh.hpp>
-#include <pavior/block/dualize.hpp>
-#include <pavior/block/place_blocks.hpp>
 #include <pavior/block/refine_blocks.hpp>
 #include <pavior/block/verify_blocks.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/core/execution.hpp>
 #include <pavior/core/progress.hpp>
 #include <pavior/core/stopwatch.hpp>
@@ -16,14 +15,11 @@
 #include <pavior/dual/copy_reference.hpp>
 #include <pavior/dual/reference_mesh.hpp>
 #include <pavior/dual/tet_topology.hpp>
-#include <pavior/dual/verify_dual.hpp>
 #include <pavior/marking/mark_published.hpp>
 #include <pavior/marking/mark_sheets.hpp>
 #include <pavior/marking/marking.hpp>
 
-#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -87,38 +83,16 @@ struct SolidBlocks {
 namespace detail {
 
 /// Topology, classes, cell complex and its verdict.
-inline void analyse(SolidBlocks& solid, Execution execution) {
-    solid.topology = tet_topology(solid.reference, execution);
-    solid.classes = classify(solid.reference, solid.topology, execution);
-    solid.complex = cell_complex(solid.reference, solid.topology, solid.classes, execution);
-    solid.report.dual = verify_dual(solid.reference, solid.topology, solid.classes, solid.complex);
-}
+PAVIOR_INLINE void analyse(SolidBlocks& solid, Execution execution);
 
 /// Blocks and their places, the dual being valid.
-inline void make_blocks(SolidBlocks& solid, const PlaceOptions& place, Execution execution) {
-    Stopwatch watch;
-    solid.blocks = dualize(solid.reference, solid.topology, solid.classes, solid.complex);
-    solid.report.dualize_seconds = watch.lap();
-    solid.geometry = block_geometry(solid.reference, solid.topology, solid.complex, execution);
-    solid.placement = place_blocks(solid.blocks, solid.geometry, place);
-    solid.report.place_seconds = watch.lap();
-    solid.report.blocks = verify_blocks(solid.blocks, solid.placement.positions);
-}
+PAVIOR_INLINE void make_blocks(SolidBlocks& solid, const PlaceOptions& place, Execution execution);
 
 }  // namespace detail
 
 /// The smallest scaled Jacobian of the blocks that the layers of \p mesh make; -1 if these are not valid.
-[[nodiscard]] inline double block_quality(const ReferenceMesh& mesh, const PlaceOptions& place = {},
-                                          Execution execution = sequential) {
-    SolidBlocks solid;
-    solid.reference = mesh;
-    detail::analyse(solid, execution);
-    if (!solid.report.dual.valid()) {
-        return -1.0;
-    }
-    detail::make_blocks(solid, place, execution);
-    return solid.placement.min_jacobian;
-}
+[[nodiscard]] PAVIOR_INLINE double block_quality(const ReferenceMesh& mesh, const PlaceOptions& place = {},
+                                                 Execution execution = sequential);
 
 /// Decomposes the solid of \p reference into blocks (Algorithm 5.1 \cite roca2009): marks layers, analyses the dual,
 /// dualizes, places the block nodes and, if asked for, refines. Geometric outcomes are in the report, not thrown.
@@ -174,3 +148,7 @@ template <classified_tet_mesh M>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/block/block_solid-inl.hpp>
+#endif

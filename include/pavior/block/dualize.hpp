@@ -3,14 +3,12 @@
 /// From the cell complex of a reference mesh to blocks.
 
 #include <pavior/block/block_mesh.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/dual/cell_complex.hpp>
 #include <pavior/dual/reference_mesh.hpp>
 #include <pavior/dual/tet_topology.hpp>
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -66,19 +64,7 @@ private:
     std::vector<GeometryEntity> node_, edge_, face_;
 };
 
-inline void require_regular(const CellCorner& corner) {
-    bool complete = corner.regular() && corner.vertex != no_index && corner.cell != no_index;
-    for (std::size_t k = 0; k < 3; ++k) {
-        complete = complete && corner.chains[k] != no_index && corner.patches[k] != no_index;
-    }
-    if (!complete) {
-        throw InputError(ErrorCode::invalid_dual,
-                         "a corner of cell " + std::to_string(corner.cell) + " at vertex " +
-                             std::to_string(corner.vertex) + " has not three chains but " +
-                             std::to_string(corner.valence),
-                         {corner.vertex});
-    }
-}
+PAVIOR_INLINE void require_regular(const CellCorner& corner);
 
 }  // namespace detail
 
@@ -126,3 +112,7 @@ template <classified_tet_mesh M>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/block/dualize-inl.hpp>
+#endif

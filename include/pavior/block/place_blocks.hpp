@@ -5,10 +5,7 @@
 #include <pavior/block/block_geometry.hpp>
 #include <pavior/block/block_mesh.hpp>
 #include <pavior/block/detail/block_placer.hpp>
-#include <pavior/core/error.hpp>
-
-#include <array>
-#include <cstddef>
+#include <pavior/core/compiled.hpp>
 
 namespace pavior {
 
@@ -19,19 +16,11 @@ namespace pavior {
 /// inverted although its refinement is not.
 /// O(blocks) a round. Deterministic, thread-safe.
 /// \throws InputError size_mismatch unless \p geometry is that of the cell complex of \p blocks, bad_option
-[[nodiscard]] inline BlockPlacement place_blocks(const BlockMesh& blocks, const BlockGeometry& geometry,
-                                                 const PlaceOptions& options = {}) {
-    if (!(options.sufficient >= 0.0 && options.sufficient < 1.0) || options.max_rounds < 0) {
-        throw InputError(ErrorCode::bad_option, "PlaceOptions: sufficient in [0, 1) and max_rounds >= 0 expected");
-    }
-    const std::array<std::size_t, 4> counts{geometry.vertices.size(), geometry.chains.size(), geometry.patches.size(),
-                                            geometry.cells.size()};
-    for (std::size_t d = 0; d < 4; ++d) {
-        if (blocks.first[d + 1] - blocks.first[d] != counts[d]) {
-            throw InputError(ErrorCode::size_mismatch, "blocks and geometry are not of one cell complex");
-        }
-    }
-    return detail::BlockPlacer(blocks, geometry, options).run();
-}
+[[nodiscard]] PAVIOR_INLINE BlockPlacement place_blocks(const BlockMesh& blocks, const BlockGeometry& geometry,
+                                                        const PlaceOptions& options = {});
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/block/place_blocks-inl.hpp>
+#endif

@@ -4,19 +4,17 @@
 /// face, an edge or a vertex share its nodes: conformity is by construction.
 
 #include <pavior/brep/brep.hpp>
-#include <pavior/brep/edge_chain.hpp>
 #include <pavior/brep/edge_mesh.hpp>
 #include <pavior/core/assert.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/mesh/cells.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numeric>
 #include <span>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace pavior {
@@ -117,22 +115,12 @@ template <brep B>
 namespace detail {
 
 /// Quads seen from the other side.
-[[nodiscard]] inline std::vector<QuadCorners> flipped(std::vector<QuadCorners> quads) {
-    for (QuadCorners& quad : quads) {
-        std::swap(quad[1], quad[3]);
-    }
-    return quads;
-}
+[[nodiscard]] PAVIOR_INLINE std::vector<QuadCorners> flipped(std::vector<QuadCorners> quads);
 
 /// Ids to positions in a list of ids.
 class PositionOf {
 public:
-    explicit PositionOf(std::span<const Index> ids) {
-        positions_.reserve(ids.size());
-        for (std::size_t i = 0; i < ids.size(); ++i) {
-            positions_.emplace(ids[i], static_cast<Index>(i));
-        }
-    }
+    explicit PositionOf(std::span<const Index> ids);
     [[nodiscard]] Index operator()(Index id) const {
         const auto found = positions_.find(id);
         return found == positions_.end() ? no_node : found->second;
@@ -183,3 +171,7 @@ void append_faces(Result& result, const BoundaryMesh& mesh, Renumbering& number,
 }  // namespace detail
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/brep/boundary_mesh-inl.hpp>
+#endif

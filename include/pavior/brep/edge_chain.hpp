@@ -3,8 +3,8 @@
 /// Edges of a model head to tail.
 
 #include <pavior/brep/brep.hpp>
+#include <pavior/core/compiled.hpp>
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -14,14 +14,7 @@ namespace pavior {
 using EdgeChain = std::vector<OrientedEdge>;
 
 /// The chain run the other way round.
-[[nodiscard]] inline EdgeChain reversed(std::span<const OrientedEdge> chain) {
-    EdgeChain result;
-    result.reserve(chain.size());
-    for (std::size_t i = chain.size(); i-- > 0;) {
-        result.push_back({chain[i].edge, !chain[i].forward});
-    }
-    return result;
-}
+[[nodiscard]] PAVIOR_INLINE EdgeChain reversed(std::span<const OrientedEdge> chain);
 
 /// The vertex where \p use begins.
 template <brep B>
@@ -36,3 +29,7 @@ template <brep B>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/brep/edge_chain-inl.hpp>
+#endif

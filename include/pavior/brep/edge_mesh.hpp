@@ -3,6 +3,7 @@
 /// Nodes along the edges of a CAD model, equally spaced in arc length or at given fractions of it.
 
 #include <pavior/brep/brep.hpp>
+#include <pavior/core/compiled.hpp>
 
 #include <algorithm>
 #include <array>
@@ -21,13 +22,7 @@ struct ArcLength {
     std::vector<double> length;  ///< from the first parameter to first + i * step
 
     /// Parameter at which the length from the start is \p s: linear in each step of the table.
-    [[nodiscard]] double parameter(double s) const {
-        const auto above = std::upper_bound(length.begin() + 1, length.end() - 1, s);
-        const auto i = static_cast<std::size_t>(above - length.begin()) - 1;
-        const double width = length[i + 1] - length[i];
-        const double part = width > 0 ? std::clamp((s - length[i]) / width, 0.0, 1.0) : 0.0;
-        return first + step * (static_cast<double>(i) + part);
-    }
+    [[nodiscard]] double parameter(double s) const;
 };
 
 /// Speed |d/dt| integrated by Simpson's rule on \p steps steps.
@@ -106,12 +101,10 @@ template <brep B>
 }
 
 /// 0, 1/n, 2/n, ..., 1.
-[[nodiscard]] inline std::vector<double> equal_fractions(int intervals) {
-    std::vector<double> fractions;
-    for (int i = 0; i <= intervals; ++i) {
-        fractions.push_back(static_cast<double>(i) / intervals);
-    }
-    return fractions;
-}
+[[nodiscard]] PAVIOR_INLINE std::vector<double> equal_fractions(int intervals);
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/brep/edge_mesh-inl.hpp>
+#endif

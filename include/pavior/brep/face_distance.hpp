@@ -3,12 +3,11 @@
 /// How far the boundary nodes of a mesh are from the faces that they stand for.
 
 #include <pavior/brep/brep.hpp>
-#include <pavior/core/error.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/mesh/cells.hpp>
 
 #include <cstddef>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -17,12 +16,7 @@ namespace pavior {
 namespace detail {
 
 /// \throws InputError size_mismatch unless each quad has a face
-inline void check_quad_faces(std::span<const QuadCorners> quads, std::span<const FaceId> faces) {
-    if (quads.size() != faces.size()) {
-        throw InputError(ErrorCode::size_mismatch, std::to_string(quads.size()) + " quads, but " +
-                                                       std::to_string(faces.size()) + " faces of quads");
-    }
-}
+PAVIOR_INLINE void check_quad_faces(std::span<const QuadCorners> quads, std::span<const FaceId> faces);
 
 }  // namespace detail
 
@@ -60,3 +54,7 @@ template <brep B>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/brep/face_distance-inl.hpp>
+#endif

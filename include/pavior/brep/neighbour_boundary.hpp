@@ -4,6 +4,7 @@
 
 #include <pavior/brep/boundary_mesh.hpp>
 #include <pavior/brep/face_distance.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/sweep/unwrap.hpp>
 
@@ -23,35 +24,14 @@ namespace detail {
 /// The mesh of one face as a graph of its nodes.
 class FaceGraph {
 public:
-    FaceGraph(std::span<const Vec3> nodes, std::vector<QuadCorners> quads) : nodes_(nodes), quads_(std::move(quads)) {
-        double shortest = std::numeric_limits<double>::infinity();
-        for (const QuadCorners& q : quads_) {
-            for (std::size_t k = 0; k < 4; ++k) {
-                const Index a = q[k], c = q[(k + 1) % 4];
-                links_.emplace_back(a, c);
-                links_.emplace_back(c, a);
-                ids_.push_back(a);
-                shortest = std::min(shortest, (nodes[a] - nodes[c]).norm());
-            }
-        }
-        tolerance_ = 1e-3 * shortest;
-        sort_once(ids_);
-        sort_once(links_);
-    }
+    FaceGraph(std::span<const Vec3> nodes, std::vector<QuadCorners> quads);
 
     [[nodiscard]] const std::vector<Index>& ids() const { return ids_; }
     [[nodiscard]] const std::vector<QuadCorners>& quads() const { return quads_; }
     /// Within this a node counts as being at a place.
     [[nodiscard]] double tolerance() const { return tolerance_; }
 
-    [[nodiscard]] Index at(const Vec3& x) const {
-        for (const Index id : ids_) {
-            if ((nodes_[id] - x).norm() <= tolerance_) {
-                return id;
-            }
-        }
-        return no_node;
-    }
+    [[nodiscard]] Index at(const Vec3& x) const;
 
     /// Pairs of \p id and the nodes joined to it by an edge of a quad.
     [[nodiscard]] std::span<const std::pair<Index, Index>> links(Index id) const {
@@ -198,3 +178,7 @@ template <brep B>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/brep/neighbour_boundary-inl.hpp>
+#endif

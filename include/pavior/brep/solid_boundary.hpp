@@ -3,6 +3,7 @@
 /// The boundary of one solid as half-edges seen from outside: faces, loops, twins and corner angles.
 
 #include <pavior/brep/face_corners.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/core/error.hpp>
 
 #include <algorithm>
@@ -44,15 +45,7 @@ struct SolidBoundary {
     std::vector<HalfEdge> half_edges;
 
     /// The half-edges of a loop from \p first on.
-    [[nodiscard]] std::vector<std::size_t> loop_from(std::size_t first) const {
-        std::vector<std::size_t> result;
-        std::size_t h = first;
-        do {
-            result.push_back(h);
-            h = half_edges[h].next;
-        } while (h != first);
-        return result;
-    }
+    [[nodiscard]] std::vector<std::size_t> loop_from(std::size_t first) const;
 
     [[nodiscard]] std::size_t twin_face(std::size_t half_edge) const {
         return half_edges[half_edges[half_edge].twin].face;
@@ -159,3 +152,7 @@ template <brep B>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/brep/solid_boundary-inl.hpp>
+#endif

@@ -3,6 +3,7 @@
 /// Blocks read off the contributions and regions alone (section 5.4.4 \cite roca2009).
 
 #include <pavior/contributions/regions.hpp>
+#include <pavior/core/compiled.hpp>
 
 #include <algorithm>
 #include <array>
@@ -182,24 +183,11 @@ private:
     std::vector<Pair> follows_;   ///< (chain, patch) with the patch after the chain in positive order
     std::vector<Pair> precedes_;  ///< (chain, patch) with the patch before the chain
 };
-}  // namespace detail
 
-namespace detail {
 /// Different pairs among many that repeat.
 class PairCollector {
 public:
-    void add(Index a, Index b) {
-        std::array<Index, 2>& recent = recent_[(a * 31U + b) % recent_.size()];
-        const std::array<Index, 2> pair{std::min(a, b), std::max(a, b)};
-        if (recent != pair) {
-            recent = pair;
-            pairs_.push_back(pair);
-            if (pairs_.size() > limit_) {
-                compact();
-                limit_ = std::max<std::size_t>(4096, 2 * pairs_.size());
-            }
-        }
-    }
+    void add(Index a, Index b);
     [[nodiscard]] std::vector<std::array<Index, 2>> take() {
         compact();
         return std::move(pairs_);
@@ -215,6 +203,7 @@ private:
     std::vector<std::array<Index, 2>> pairs_;
     std::size_t limit_ = 4096;
 };
+
 }  // namespace detail
 
 /// The pairs of regions that some hard contribution separates: primal edges (a, b), a < b, ascending. O(n).
@@ -259,3 +248,7 @@ template <tet_mesh M>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/contributions/dual_blocks-inl.hpp>
+#endif

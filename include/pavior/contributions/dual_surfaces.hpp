@@ -3,13 +3,12 @@
 /// The dual surfaces as polygons and the regions as polyhedra, to look at.
 
 #include <pavior/contributions/regions.hpp>
+#include <pavior/core/compiled.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -47,15 +46,7 @@ enum class DualColour : std::uint8_t {
 }
 
 /// A colour for \p region: hues a golden section apart, so that numbers close to each other look different.
-[[nodiscard]] inline std::array<double, 3> region_rgb(Index region) {
-    const double hue = 6.0 * std::fmod(0.618033988749895 * static_cast<double>(region), 1.0);
-    std::array<double, 3> colour{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const double distance = std::abs(std::fmod(hue + 6.0 - 2.0 * static_cast<double>(k), 6.0) - 3.0);
-        colour[k] = 0.25 + 0.7 * std::clamp(distance - 1.0, 0.0, 1.0);
-    }
-    return colour;
-}
+[[nodiscard]] PAVIOR_INLINE std::array<double, 3> region_rgb(Index region);
 
 /// Cells over points: cell i has the points ids[begin[i]] .. ids[begin[i + 1] - 1].
 struct PointCells {
@@ -85,34 +76,11 @@ namespace detail {
 /// Global ids of the points: nodes, then 2 on each edge, 3 on each face, 4 in each tetrahedron.
 class DualPoints {
 public:
-    explicit DualPoints(const TetTopology& topology)
-        : topology_(topology),
-          edges_(topology.node_count()),
-          faces_(edges_ + 2 * topology.edges.size()),
-          inner_(faces_ + 3 * topology.faces.size()),
-          end_(inner_ + 4 * topology.tet_faces.size()) {
-        if (end_ >= no_index) {
-            throw InputError(ErrorCode::overflow, "2^32 points or more: " + std::to_string(end_));
-        }
-    }
+    explicit DualPoints(const TetTopology& topology);
 
     [[nodiscard]] std::size_t size() const { return end_; }
     /// Id of local point \p point of tetrahedron \p t with corners \p c.
-    [[nodiscard]] Index id(const TetCorners& c, Index t, std::size_t point) const {
-        if (point >= 24) {
-            return static_cast<Index>(inner_ + 4 * std::size_t{t} + point - 24);
-        }
-        if (point < 12) {
-            const Index e = topology_.tet_edges[t][point / 2];
-            const Index near = c[static_cast<std::size_t>(tet_edges[point / 2][point % 2])];
-            return static_cast<Index>(edges_ + 2 * std::size_t{e} + (topology_.edges[e][0] == near ? 0 : 1));
-        }
-        const std::size_t f = (point - 12) / 3;
-        const Index face = topology_.tet_faces[t][f];
-        const Index near = c[ascending_faces[f][point % 3]];
-        const TriCorners& n = topology_.faces[face];
-        return static_cast<Index>(faces_ + 3 * std::size_t{face} + (n[0] == near ? 0 : n[1] == near ? 1 : 2));
-    }
+    [[nodiscard]] Index id(const TetCorners& c, Index t, std::size_t point) const;
 
     /// Coordinates of all points, for planes at barycentric distance mu.
     template <tet_mesh M>
@@ -154,29 +122,14 @@ inline void check_mu(double mu) {
 }
 
 /// Leaves the points in use only, in their order.
-inline void drop_unused(PointCells& cells) {
-    std::vector<Index> place(cells.points.size(), no_index);
-    for (const Index i : cells.ids) {
-        place[i] = 0;
-    }
-    Index count = 0;
-    for (std::size_t i = 0; i < place.size(); ++i) {
-        if (place[i] == 0) {
-            place[i] = count;
-            cells.points[count++] = cells.points[i];
-        }
-    }
-    cells.points.resize(count);
-    for (Index& i : cells.ids) {
-        i = place[i];
-    }
-}
+PAVIOR_INLINE void drop_unused(PointCells& cells);
 
 /// Local points of the 15 pieces; entry 28 + v stands for node v of the tetrahedron.
 struct Piece {
     std::size_t size = 0;
     std::array<std::size_t, 8> points{};
 };
+
 [[nodiscard]] constexpr std::array<Piece, 15> make_pieces() {
     std::array<Piece, 15> all{};
     for (std::size_t v = 0; v < 4; ++v) {
@@ -215,7 +168,9 @@ struct Piece {
     all[14] = {4, {inner_point(0), inner_point(1), inner_point(2), inner_point(3), 0, 0, 0, 0}};
     return all;
 }
+
 inline constexpr std::array<Piece, 15> tet_pieces = make_pieces();
+
 }  // namespace detail
 
 /// The contributions as polygons, for planes at barycentric distance 0 < \p mu < 1/4 from the faces; its value changes
@@ -275,3 +230,7 @@ template <tet_mesh M>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/contributions/dual_surfaces-inl.hpp>
+#endif

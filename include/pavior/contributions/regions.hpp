@@ -2,8 +2,9 @@
 /// \file
 /// The regions into which the local dual contributions divide the solid: nodes of the block mesh.
 
-#include <pavior/core/parallel_for.hpp>
 #include <pavior/contributions/contributions.hpp>
+#include <pavior/core/compiled.hpp>
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/dual/detail/index_sets.hpp>
 
 #include <array>
@@ -148,34 +149,8 @@ void join_pieces(const M& mesh, const TetTopology& topology, const std::vector<T
     }
 }
 
-inline void number_regions(const TetTopology& topology, const PieceIds& ids, IndexSets& sets, Regions& out) {
-    std::vector<char> used(topology.node_count(), 0);
-    for (const auto& edge : topology.edges) {
-        used[edge[0]] = used[edge[1]] = 1;
-    }
-    const auto region_of = [&](Index root) {
-        return root < ids.faces   ? out.tet[root]
-               : root < ids.edges ? out.face[root - ids.faces]
-               : root < ids.nodes ? out.edge[root - ids.edges]
-                                  : out.node[root - ids.nodes];
-    };
-    const std::array<std::size_t, 5> bounds{0, ids.faces, ids.edges, ids.nodes, ids.end};
-    const std::array<std::vector<Index>*, 4> parts{&out.tet, &out.face, &out.edge, &out.node};
-    for (std::size_t part = 0; part < 4; ++part) {
-        parts[part]->assign(bounds[part + 1] - bounds[part], no_index);
-        out.begin[part + 1] = out.begin[part];
-        for (std::size_t i = bounds[part]; i < bounds[part + 1]; ++i) {
-            const Index root = sets.root(static_cast<Index>(i));
-            Index& region = (*parts[part])[i - bounds[part]];
-            if (root != i) {
-                region = region_of(root);
-            } else if (part < 3 || used[i - ids.nodes] != 0) {
-                region = out.begin[part + 1]++;
-                out.representative.push_back(static_cast<Index>(i - bounds[part]));
-            }
-        }
-    }
-}
+PAVIOR_INLINE void number_regions(const TetTopology& topology, const PieceIds& ids, IndexSets& sets, Regions& out);
+
 }  // namespace detail
 
 /// Joins the 15 pieces of each tetrahedron across candidates that were not added, and pieces of neighbouring tetrahedra
@@ -207,3 +182,7 @@ template <tet_mesh M>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/contributions/regions-inl.hpp>
+#endif

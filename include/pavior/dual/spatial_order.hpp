@@ -2,12 +2,11 @@
 /// \file
 /// An order of the tetrahedra in which neighbours stand close together in memory.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/dual/detail/check_tet.hpp>
 #include <pavior/mesh/mesh_access.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -17,6 +16,7 @@
 namespace pavior {
 
 namespace detail {
+
 /// Spreads the low 21 bits of \p x to every third bit.
 [[nodiscard]] constexpr std::uint64_t spread_bits(std::uint64_t x) {
     x &= 0x1fffffU;
@@ -28,20 +28,8 @@ namespace detail {
 }
 
 /// Stable sort of keys by their bits [shift, shift + 11).
-inline void radix_pass(std::vector<std::pair<std::uint64_t, Index>>& keys,
-                       std::vector<std::pair<std::uint64_t, Index>>& other, unsigned shift) {
-    std::vector<std::size_t> start(2049, 0);
-    for (const auto& key : keys) {
-        ++start[(key.first >> shift & 2047U) + 1];
-    }
-    for (std::size_t i = 1; i < start.size(); ++i) {
-        start[i] += start[i - 1];
-    }
-    for (const auto& key : keys) {
-        other[start[key.first >> shift & 2047U]++] = key;
-    }
-    keys.swap(other);
-}
+PAVIOR_INLINE void radix_pass(std::vector<std::pair<std::uint64_t, Index>>& keys,
+                              std::vector<std::pair<std::uint64_t, Index>>& other, unsigned shift);
 
 /// Ranks of the nodes along a Z-order curve with 2^11 cells on each side of the bounding box. Nodes that are not finite
 /// come first.
@@ -76,6 +64,7 @@ template <vertex_mesh M>
     }
     return rank;
 }
+
 }  // namespace detail
 
 /// The tetrahedra of \p mesh in an order in which neighbours stand close together: by their first node along a
@@ -107,3 +96,7 @@ template <tet_mesh M>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/dual/spatial_order-inl.hpp>
+#endif

@@ -2,7 +2,7 @@
 /// \file
 /// Positions of the inner nodes of a lattice region: a discrete harmonic map with given layer widths.
 
-#include <pavior/core/assert.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/lattice/logical_grid.hpp>
 
@@ -248,20 +248,7 @@ private:
 };
 
 /// The planes without every second one between any two of \p key; the same list if nothing can go.
-[[nodiscard]] inline std::vector<int> every_second(const std::vector<int>& kept, const std::vector<int>& key) {
-    std::vector<int> result;
-    bool skip = false;
-    for (const int plane : kept) {
-        const bool is_key = std::binary_search(key.begin(), key.end(), plane);
-        if (is_key || !skip) {
-            result.push_back(plane);
-            skip = true;
-        } else {
-            skip = false;
-        }
-    }
-    return result;
-}
+[[nodiscard]] PAVIOR_INLINE std::vector<int> every_second(const std::vector<int>& kept, const std::vector<int>& key);
 
 }  // namespace detail
 
@@ -353,3 +340,7 @@ void place_inner_nodes(const LogicalGrid<D>& grid, const LatticeLayers<D>& layer
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/lattice/grid_laplace-inl.hpp>
+#endif

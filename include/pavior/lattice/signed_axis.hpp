@@ -2,10 +2,11 @@
 /// \file
 /// The six directions of a logical grid and the 24 turns of a cube.
 
+#include <pavior/core/compiled.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
 
 namespace pavior {
@@ -60,21 +61,10 @@ struct CubeTurn {
 };
 
 /// All 24, the identity first.
-[[nodiscard]] inline std::vector<CubeTurn> cube_turns() {
-    std::vector<CubeTurn> result;
-    for (std::size_t a = 0; a < 3; ++a) {
-        for (const int s : {1, -1}) {
-            for (std::size_t b = 0; b < 3; ++b) {
-                for (const int t : {1, -1}) {
-                    const SignedAxis i = signed_axis(a, s), j = signed_axis((a + 1 + b) % 3, t);
-                    if (i.axis() != j.axis()) {
-                        result.push_back({{i, j, cross(i, j)}});
-                    }
-                }
-            }
-        }
-    }
-    return result;
-}
+[[nodiscard]] PAVIOR_INLINE std::vector<CubeTurn> cube_turns();
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/lattice/signed_axis-inl.hpp>
+#endif

@@ -4,13 +4,13 @@
 
 #include <pavior/brep/boundary_mesh.hpp>
 #include <pavior/brep/face_surface.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/lattice/grid_laplace.hpp>
 #include <pavior/lattice/submap_lattice.hpp>
 #include <pavior/smooth/surface_quads.hpp>
 #include <pavior/sweep/folded_quads.hpp>
 #include <pavior/sweep/unwrap.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -97,14 +97,7 @@ template <brep B>
     return border;
 }
 
-[[nodiscard]] inline std::vector<QuadCorners> lattice_quads(const LogicalGrid<2>& grid) {
-    std::vector<QuadCorners> quads;
-    grid.for_each_cell([&](const LatticePoint<2>& c) {
-        quads.push_back(
-            {grid.node(c), grid.node({c[0] + 1, c[1]}), grid.node({c[0] + 1, c[1] + 1}), grid.node({c[0], c[1] + 1})});
-    });
-    return quads;
-}
+[[nodiscard]] PAVIOR_INLINE std::vector<QuadCorners> lattice_quads(const LogicalGrid<2>& grid);
 
 /// Moves the inner nodes where the harmonic map in space, projected, folds less, then untangles.
 template <brep B>
@@ -199,3 +192,7 @@ SubmapFace mesh_submap_face(const B& b, BoundaryMesh& mesh, FaceId f, const Logi
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/lattice/submap_face-inl.hpp>
+#endif

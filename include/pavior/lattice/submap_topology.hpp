@@ -3,6 +3,7 @@
 /// Solids as unions of logical boxes: what submapping knows about faces and solids.
 
 #include <pavior/brep/brep.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/lattice/signed_axis.hpp>
 #include <pavior/lattice/submap_corners.hpp>
 
@@ -17,13 +18,8 @@ namespace pavior {
 namespace detail {
 
 /// "face 3" or "faces 3, 5".
-[[nodiscard]] inline std::string list(const std::set<int>& tags, const std::string& one, const std::string& many) {
-    std::string text = tags.size() == 1 ? one : many;
-    for (const int tag : tags) {
-        text += (tag == *tags.begin() ? " " : ", ") + std::to_string(tag);
-    }
-    return text;
-}
+[[nodiscard]] PAVIOR_INLINE std::string list(const std::set<int>& tags, const std::string& one,
+                                             const std::string& many);
 
 }  // namespace detail
 
@@ -78,3 +74,7 @@ struct SubmapModel {
 };
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/lattice/submap_topology-inl.hpp>
+#endif

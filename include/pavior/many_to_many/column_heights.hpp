@@ -3,6 +3,7 @@
 /// Places of nodes in columns: those on caps, curves and vertices are given; levels run on smoothly from there through
 /// the solid, and layers between levels are of equal height.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/core/index.hpp>
 #include <pavior/math/point.hpp>
 #include <pavior/mesh/cells.hpp>
@@ -11,7 +12,6 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -30,15 +30,7 @@ public:
     /// Marks a node as needed.
     void use(Index plane_node, std::size_t level) { id_[level * width_ + plane_node] = 0; }
     /// Numbers the nodes in use and returns how many there are.
-    std::size_t number() {
-        Index next = 0;
-        for (Index& id : id_) {
-            if (id != no_index) {
-                id = next++;
-            }
-        }
-        return next;
-    }
+    std::size_t number();
     [[nodiscard]] std::size_t width() const { return width_; }
     [[nodiscard]] std::size_t levels() const { return width_ == 0 ? 0 : id_.size() / width_; }
     /// The id, no_index where there is no node.
@@ -151,47 +143,10 @@ void extend_heights(std::span<const Vec2> plane, std::span<const QuadCorners> qu
 /// number of right-hand sides. Every other node must be connected with a given one.
 class InnerLaplace {
 public:
-    InnerLaplace(std::span<const Vec2> plane, std::span<const QuadCorners> quads, std::size_t given)
-        : inner_(plane.size() - given) {
-        std::vector<std::pair<Index, Index>> edges;
-        for (const QuadCorners& quad : quads) {
-            for (std::size_t k = 0; k < 4; ++k) {
-                edges.push_back(std::minmax(quad[k], quad[(k + 1) % 4]));
-            }
-        }
-        std::sort(edges.begin(), edges.end());
-        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-        std::vector<Eigen::Triplet<double>> entries;
-        std::vector<Eigen::Triplet<double>> coupling;
-        for (const auto& edge : edges) {
-            const double weight = 1 / std::max(1e-300, (plane[edge.first] - plane[edge.second]).norm());
-            for (const auto& [i, j] : {edge, std::pair(edge.second, edge.first)}) {
-                if (i < given) {
-                    continue;
-                }
-                const auto row = static_cast<int>(i - given);
-                entries.emplace_back(row, row, weight);
-                if (j >= given) {
-                    entries.emplace_back(row, static_cast<int>(j - given), -weight);
-                } else {
-                    coupling.emplace_back(row, static_cast<int>(j), weight);
-                }
-            }
-        }
-        Eigen::SparseMatrix<double> matrix(static_cast<Eigen::Index>(inner_), static_cast<Eigen::Index>(inner_));
-        matrix.setFromTriplets(entries.begin(), entries.end());
-        coupling_.resize(static_cast<Eigen::Index>(inner_), static_cast<Eigen::Index>(given));
-        coupling_.setFromTriplets(coupling.begin(), coupling.end());
-        solver_.compute(matrix);
-    }
+    InnerLaplace(std::span<const Vec2> plane, std::span<const QuadCorners> quads, std::size_t given);
 
     /// Values on the inner nodes, one row each, for rows of values on the given ones.
-    [[nodiscard]] Eigen::MatrixX2d solve(const Eigen::MatrixX2d& given) const {
-        if (inner_ == 0) {
-            return Eigen::MatrixX2d(0, 2);
-        }
-        return solver_.solve(coupling_ * given);
-    }
+    [[nodiscard]] Eigen::MatrixX2d solve(const Eigen::MatrixX2d& given) const;
 
 private:
     std::size_t inner_;
@@ -202,43 +157,13 @@ private:
 /// Fills one run of levels [first, last] of a column, whose ends are given: extended heights that do not keep a
 /// distance of at least a tenth of their share from the given ones, and from each other, are dropped; all others are
 /// interpolated linearly between those that remain. O(levels).
-inline void fill_column(Index plane_node, std::size_t first, std::size_t last, const ColumnNodes& nodes,
-                        std::span<Vec3> places, std::span<NodePlace> how) {
-    constexpr double share = 0.1;
-    const auto id = [&](std::size_t level) { return nodes(plane_node, level); };
-    const auto given = [&](std::size_t level) { return how[id(level)] >= NodePlace::cap; };
-    const auto interpolate = [&](std::size_t a, std::size_t b) {
-        for (std::size_t level = a + 1; level < b; ++level) {
-            const double t = static_cast<double>(level - a) / static_cast<double>(b - a);
-            places[id(level)] = (1 - t) * places[id(a)] + t * places[id(b)];
-        }
-    };
-    std::size_t low = first;
-    for (std::size_t next = first + 1; next <= last; ++next) {
-        if (!given(next)) {
-            continue;
-        }
-        const Vec3& bottom = places[id(low)];
-        const Vec3& top = places[id(next)];
-        const double step = share * (top[2] - bottom[2]) / static_cast<double>(next - low);
-        std::size_t at = low;
-        for (std::size_t level = low + 1; level < next; ++level) {
-            if (how[id(level)] != NodePlace::extended) {
-                continue;
-            }
-            const double height = places[id(level)][2];
-            if (height - places[id(at)][2] < step * static_cast<double>(level - at) ||
-                top[2] - height < step * static_cast<double>(next - level)) {
-                continue;
-            }
-            interpolate(at, level);
-            at = level;
-        }
-        interpolate(at, next);
-        low = next;
-    }
-}
+PAVIOR_INLINE void fill_column(Index plane_node, std::size_t first, std::size_t last, const ColumnNodes& nodes,
+                               std::span<Vec3> places, std::span<NodePlace> how);
 
 }  // namespace detail
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/many_to_many/column_heights-inl.hpp>
+#endif

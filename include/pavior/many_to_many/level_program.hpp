@@ -2,16 +2,13 @@
 /// \file
 /// Levels of caps: the layers of a body that is swept from many sources to many targets, by an integer program.
 
-#include <pavior/core/error.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/intervals/solve_intervals.hpp>
 #include <pavior/many_to_many/caps_over_cells.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
-#include <numeric>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,62 +33,24 @@ struct LevelTolerance {
 namespace detail {
 
 /// Curves along each edge of the arrangement, ascending.
-[[nodiscard]] inline std::vector<std::vector<Index>> curves_of_edges(const PlaneArrangement& plane) {
-    std::vector<std::vector<Index>> result(plane.edges.size());
-    for (Index c = 0; c < plane.routes.size(); ++c) {
-        for (const OrientedPlaneEdge& use : plane.routes[c]) {
-            if (result[use.edge].empty() || result[use.edge].back() != c) {
-                result[use.edge].push_back(c);
-            }
-        }
-    }
-    return result;
-}
+[[nodiscard]] PAVIOR_INLINE std::vector<std::vector<Index>> curves_of_edges(const PlaneArrangement& plane);
 
 /// Entities of a body in one numbering: caps, then curves, then vertices; joined into classes of one level.
 class LevelClasses {
 public:
-    explicit LevelClasses(const ExtrudedBody& body) : body_(body), parent_(cap_count() + curve_count()) {
-        parent_.resize(parent_.size() + body.vertices.size());
-        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-        for (std::size_t c = 0; c < cap_count(); ++c) {
-            for (const Index curve : body.caps[c].curves) {
-                join(c, cap_count() + curve);
-            }
-        }
-        for (std::size_t c = 0; c < curve_count(); ++c) {
-            for (const Index v : body.curves[c].vertices) {
-                join(cap_count() + c, cap_count() + curve_count() + v);
-            }
-        }
-    }
+    explicit LevelClasses(const ExtrudedBody& body);
 
     [[nodiscard]] std::size_t cap_count() const { return body_.caps.size(); }
     [[nodiscard]] std::size_t curve_count() const { return body_.curves.size(); }
     [[nodiscard]] std::size_t size() const { return parent_.size(); }
-    [[nodiscard]] std::size_t find(std::size_t i) const {
-        while (parent_[i] != i) {
-            i = parent_[i];
-        }
-        return i;
-    }
+    [[nodiscard]] std::size_t find(std::size_t i) const;
     void join(std::size_t a, std::size_t b) {
         a = find(a);
         b = find(b);
         parent_[std::max(a, b)] = std::min(a, b);
     }
     /// A name for messages and the tag of a face, 0 if it is none.
-    [[nodiscard]] std::pair<std::string, int> name(std::size_t item) const {
-        if (item < cap_count()) {
-            const int tag = body_.caps[item].tag;
-            return {"face " + std::to_string(tag), tag};
-        }
-        item -= cap_count();
-        if (item < curve_count()) {
-            return {"edge " + std::to_string(body_.curves[item].tag), 0};
-        }
-        return {"a vertex", 0};
-    }
+    [[nodiscard]] std::pair<std::string, int> name(std::size_t item) const;
 
 private:
     const ExtrudedBody& body_;
@@ -171,84 +130,18 @@ struct LevelGap {
 };
 
 /// The gaps between neighbouring classes of all columns; items of one height join their classes.
-[[nodiscard]] inline std::vector<LevelGap> level_gaps(const std::vector<LevelColumn>& columns, LevelClasses& classes,
-                                                      const LevelTolerance& tolerance) {
-    for (const LevelColumn& column : columns) {
-        for (std::size_t i = 0; i + 1 < column.items.size(); ++i) {
-            if (column.items[i + 1].height - column.items[i].height <= tolerance.height) {
-                classes.join(column.items[i].item, column.items[i + 1].item);
-            }
-        }
-    }
-    std::map<std::pair<std::size_t, std::size_t>, LevelGap> gaps;
-    for (const LevelColumn& column : columns) {
-        for (std::size_t i = 0; i + 1 < column.items.size(); ++i) {
-            const ColumnItem& low = column.items[i];
-            const ColumnItem& high = column.items[i + 1];
-            const double length = high.height - low.height;
-            const std::pair key(classes.find(low.item), classes.find(high.item));
-            const bool same = key.first == key.second && !column.inside;
-            if (length > (same ? tolerance.slack : tolerance.height)) {
-                LevelGap& gap =
-                    gaps.try_emplace(key, LevelGap{key.first, key.second, low.item, high.item}).first->second;
-                gap.length += length;
-                ++gap.columns;
-            }
-        }
-    }
-    std::vector<LevelGap> result;
-    for (const auto& [key, gap] : gaps) {
-        result.push_back(gap);
-    }
-    return result;
-}
+[[nodiscard]] PAVIOR_INLINE std::vector<LevelGap> level_gaps(const std::vector<LevelColumn>& columns,
+                                                             LevelClasses& classes, const LevelTolerance& tolerance);
 
 /// Numbers of layers as an interval system: one number a gap, and along every cycle of gaps they cancel.
 class LevelSystem {
 public:
-    LevelSystem(const LevelClasses& classes, const std::vector<LevelGap>& gaps, double size)
-        : classes_(classes), gaps_(gaps), tree_(classes.size()) {
-        for (const LevelGap& gap : gaps) {
-            system_.edges.push_back({std::max(1e-3, gap.length / gap.columns / size), 1});
-            check(gap);
-        }
-        std::vector<bool> done(classes.size(), false);
-        std::multimap<std::size_t, std::size_t> at;
-        for (std::size_t g = 0; g < gaps.size(); ++g) {
-            at.emplace(gaps[g].low, g);
-            at.emplace(gaps[g].high, g);
-        }
-        std::vector<bool> in_tree(gaps.size(), false);
-        for (const LevelGap& root : gaps) {
-            if (!done[root.low]) {
-                grow(root.low, at, done, in_tree);
-            }
-        }
-        for (std::size_t g = 0; g < gaps.size(); ++g) {
-            if (!in_tree[g]) {
-                add_cycle(g);
-            }
-        }
-    }
+    LevelSystem(const LevelClasses& classes, const std::vector<LevelGap>& gaps, double size);
 
     [[nodiscard]] const IntervalSystem& system() const { return system_; }
 
     /// Levels of the classes, 0 for the lowest of each connected part.
-    [[nodiscard]] std::vector<int> levels(const std::vector<int>& numbers) const {
-        std::vector<int> result(classes_.size(), 0);
-        std::map<std::size_t, int> lowest;
-        for (const std::size_t c : order_) {
-            for (const auto& [gap, sign] : tree_[c].path) {
-                result[c] += sign * numbers[gap];
-            }
-            int& low = lowest.try_emplace(tree_[c].root, 0).first->second;
-            low = std::min(low, result[c]);
-        }
-        for (const std::size_t c : order_) {
-            result[c] -= lowest[tree_[c].root];
-        }
-        return result;
-    }
+    [[nodiscard]] std::vector<int> levels(const std::vector<int>& numbers) const;
 
 private:
     struct Branch {
@@ -256,71 +149,12 @@ private:
         std::vector<std::pair<std::size_t, int>> path;  ///< gaps from the root, + upwards
     };
 
-    void check(const LevelGap& gap) const {
-        if (gap.low == gap.high) {
-            const auto [low, low_tag] = classes_.name(gap.low_item);
-            const auto [high, high_tag] = classes_.name(gap.high_item);
-            Error::Ids ids;
-            for (const int tag : {low_tag, high_tag}) {
-                if (tag != 0) {
-                    ids.push_back(tag);
-                }
-            }
-            throw UnmeshableError(ErrorCode::not_sweepable,
-                                  low + " and " + high +
-                                      " lie above each other, yet slanted faces or edges lead from one to the other "
-                                      "without a side between them",
-                                  ids);
-        }
-    }
+    void check(const LevelGap& gap) const;
 
     void grow(std::size_t root, const std::multimap<std::size_t, std::size_t>& at, std::vector<bool>& done,
-              std::vector<bool>& in_tree) {
-        std::vector<std::size_t> queue{root};
-        done[root] = true;
-        tree_[root].root = root;
-        for (std::size_t i = 0; i < queue.size(); ++i) {
-            const std::size_t c = queue[i];
-            order_.push_back(c);
-            for (auto [g, end] = at.equal_range(c); g != end; ++g) {
-                const LevelGap& gap = gaps_[g->second];
-                const std::size_t other = gap.low == c ? gap.high : gap.low;
-                if (!done[other]) {
-                    done[other] = true;
-                    in_tree[g->second] = true;
-                    tree_[other] = tree_[c];
-                    tree_[other].path.emplace_back(g->second, gap.low == c ? 1 : -1);
-                    queue.push_back(other);
-                }
-            }
-        }
-    }
+              std::vector<bool>& in_tree);
 
-    void add_cycle(std::size_t g) {
-        std::map<std::size_t, int> terms{{g, 1}};
-        for (const auto& [gap, sign] : tree_[gaps_[g].low].path) {
-            terms[gap] += sign;
-        }
-        for (const auto& [gap, sign] : tree_[gaps_[g].high].path) {
-            terms[gap] -= sign;
-        }
-        IntervalRule rule;
-        std::set<int> faces;
-        rule.text = "layers between";
-        for (const auto& [gap, sign] : terms) {
-            if (sign != 0) {
-                rule.terms.emplace_back(gap, sign);
-                const auto [low, low_tag] = classes_.name(gaps_[gap].low_item);
-                const auto [high, high_tag] = classes_.name(gaps_[gap].high_item);
-                rule.text += (rule.terms.size() > 1 ? ", " : " ") + low + " and " + high;
-                faces.insert({low_tag, high_tag});
-            }
-        }
-        rule.text += " add up";
-        faces.erase(0);
-        rule.faces.assign(faces.begin(), faces.end());
-        system_.rules.push_back(std::move(rule));
-    }
+    void add_cycle(std::size_t g);
 
     const LevelClasses& classes_;
     const std::vector<LevelGap>& gaps_;
@@ -366,3 +200,7 @@ template <extruded_geometry G, integer_solver Solver>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/many_to_many/level_program-inl.hpp>
+#endif

@@ -4,6 +4,7 @@
 
 #include <pavior/brep/face_distance.hpp>
 #include <pavior/brep/snap_to_faces.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/intervals/integer_program.hpp>
 #include <pavior/many_to_many/brep_body.hpp>
 #include <pavior/many_to_many/extrusion.hpp>
@@ -11,6 +12,7 @@
 #include <pavior/many_to_many/revolution.hpp>
 #include <pavior/many_to_many/sweep_paths.hpp>
 #include <pavior/mesh/quality.hpp>
+#include <pavior/smooth/detail/cell_shape.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -268,14 +270,10 @@ template <brep B, plane_imprinter I, integer_solver Solver, region_mesher M, cla
 }
 
 /// Why there is no mesh: what the first attempt says.
-[[nodiscard]] inline UnmeshableError no_mesh_error(const BestMultiSweep& best) {
-    if (best.attempts.empty()) {
-        return {ErrorCode::not_sweepable, "no time was left to try a direction"};
-    }
-    const MultiSweepAttempt& first = best.attempts.front();
-    const std::size_t colon = first.error.find(": ");
-    return {ErrorCode::not_sweepable, colon == std::string::npos ? first.error : first.error.substr(colon + 2),
-            first.tags};
-}
+[[nodiscard]] PAVIOR_INLINE UnmeshableError no_mesh_error(const BestMultiSweep& best);
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/many_to_many/multi_sweep_model-inl.hpp>
+#endif

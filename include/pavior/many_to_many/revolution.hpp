@@ -2,6 +2,7 @@
 /// \file
 /// Models that are swept round an axis, unrolled into straight ones.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/many_to_many/extrusion.hpp>
 #include <pavior/many_to_many/unrolled_brep.hpp>
 
@@ -41,23 +42,13 @@ public:
     [[nodiscard]] const Axis& axis() const { return axis_; }
     [[nodiscard]] double radius() const { return radius_; }
 
-    [[nodiscard]] Vec3 unrolled(const Vec3& p) const {
-        const Vec3 d = p - axis_.origin;
-        const double x = d.dot(x_);
-        const double y = d.dot(y_);
-        return {std::hypot(x, y), radius_ * std::atan2(y, x), d.dot(axis_.direction)};
-    }
+    [[nodiscard]] Vec3 unrolled(const Vec3& p) const;
     [[nodiscard]] Vec3 rolled(const Vec3& q) const {
         const double angle = q[1] / radius_;
         return axis_.origin + q[0] * (std::cos(angle) * x_ + std::sin(angle) * y_) + q[2] * axis_.direction;
     }
     /// The image of a direction \p d at \p p, which must be off the axis.
-    [[nodiscard]] Vec3 unrolled(const Vec3& p, const Vec3& d) const {
-        const Vec3 offset = p - axis_.origin;
-        const Vec3 radial = offset.dot(x_) * x_ + offset.dot(y_) * y_;
-        const double r = radial.norm();
-        return {d.dot(radial) / r, d.dot(axis_.direction.cross(radial)) * radius_ / (r * r), d.dot(axis_.direction)};
-    }
+    [[nodiscard]] Vec3 unrolled(const Vec3& p, const Vec3& d) const;
 
 private:
     Axis axis_;
@@ -184,3 +175,7 @@ template <brep B>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/many_to_many/revolution-inl.hpp>
+#endif

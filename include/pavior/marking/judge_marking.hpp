@@ -2,46 +2,23 @@
 /// \file
 /// What a marking is worth: valid or not, how many blocks, how good.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/marking/cell_snapshot.hpp>
 #include <pavior/marking/marking.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <tuple>
 
 namespace pavior {
 
 /// Fills in what \p report says about \p mesh, whose state is \p now: validity, violations, blocks, quality, aspect,
 /// layers of each sheet. O(n), and one call of options.quality if the marking is valid.
-inline void judge_marking(const ReferenceMesh& mesh, const CellSnapshot& now, const MarkingOptions& options,
-                          SheetReport& report) {
-    report.valid = now.report.valid();
-    report.violations = now.report.violations;
-    report.blocks = now.complex.corners.size();
-    report.nodes = now.complex.cell_count();
-    for (Sheet& sheet : report.sheets) {
-        sheet.faces = 0;
-    }
-    for (const Index sheet : report.layer_sheets) {
-        ++report.sheets[sheet].faces;
-    }
-    report.quality = -1;
-    report.aspect = 0;
-    if (report.valid) {
-        const CellQuality simple = simple_quality(mesh, now);
-        report.quality = options.quality ? options.quality(mesh) : simple.jacobian;
-        report.aspect = simple.aspect;
-    }
-}
+PAVIOR_INLINE void judge_marking(const ReferenceMesh& mesh, const CellSnapshot& now, const MarkingOptions& options,
+                                 SheetReport& report);
 
 /// True if \p a is the better outcome: valid before invalid, positive Jacobians before others, then the smallest
 /// Jacobian up to 0.2, then fewer violations, then fewer blocks.
-[[nodiscard]] inline bool better_marking(const SheetReport& a, const SheetReport& b) {
-    const auto key = [](const SheetReport& r) {
-        return std::tuple(r.valid, r.valid && r.quality > 0, std::min(r.quality, 0.2),
-                          -static_cast<double>(r.violations.size()), -static_cast<double>(r.blocks));
-    };
-    return key(a) > key(b);
-}
+[[nodiscard]] PAVIOR_INLINE bool better_marking(const SheetReport& a, const SheetReport& b);
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/marking/judge_marking-inl.hpp>
+#endif

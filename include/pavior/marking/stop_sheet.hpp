@@ -2,11 +2,10 @@
 /// \file
 /// Sheets that end at chains that exist already, where that does no harm.
 
-#include <pavior/marking/cell_snapshot.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/marking/cut.hpp>
 #include <pavior/marking/marking.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -14,62 +13,15 @@
 namespace pavior {
 
 /// Edges of class stack, ascending pairs, sorted: where a sheet stops in Propagation::stop. O(n log n).
-[[nodiscard]] inline std::vector<std::array<Index, 2>> stack_edges(const ReferenceMesh& mesh) {
-    const TetTopology topology = tet_topology(mesh);
-    const EntityClasses classes = classify(mesh, topology);
-    std::vector<std::array<Index, 2>> edges;
-    for (const Index e : IndexRange(topology.edges.size())) {
-        if (classes.edge[e] == EntityClass::stack) {
-            edges.push_back(topology.edges[e]);
-        }
-    }
-    std::sort(edges.begin(), edges.end());
-    return edges;
-}
-
-namespace detail {
-
-[[nodiscard]] inline std::size_t count_violations(const ReferenceMesh& mesh) {
-    return cell_snapshot(mesh).report.violations.size();
-}
-
-/// Layers of the stopped sheet; those of the whole one where the stopped one leaves more violations than that, and no
-/// fewer than there were without either.
-inline std::size_t add_layers_stopping(CutMesh& cut, SheetCut& sheet, const std::vector<SheetFace>& faces, Index id) {
-    sheet.barriers.clear();
-    const std::vector<SheetFace> whole = keep_started(cut, sheet, faces);
-    sheet.barriers = stack_edges(cut.mesh);
-    const std::vector<SheetFace> stopped = keep_started(cut, sheet, faces);
-    if (stopped.size() == whole.size()) {
-        return add_layers(cut, whole, id);
-    }
-    const std::size_t before = count_violations(cut.mesh);
-    const std::size_t added = add_layers(cut, stopped, id);
-    const std::size_t with_stopped = count_violations(cut.mesh);
-    if (added > 0 && (with_stopped == 0 || with_stopped < before)) {
-        return added;
-    }
-    const std::size_t kept = cut.mesh.layers.size();
-    const std::size_t rest = add_layers(cut, whole, id);
-    if (added > 0 && with_stopped <= count_violations(cut.mesh)) {
-        cut.mesh.layers.resize(kept);
-        cut.layer_sheets.resize(kept);
-        return added;
-    }
-    return added + rest;
-}
-
-}  // namespace detail
+[[nodiscard]] PAVIOR_INLINE std::vector<std::array<Index, 2>> stack_edges(const ReferenceMesh& mesh);
 
 /// Cuts as cut_sheet() does and, with Propagation::stop, ends the sheet at the stack edges that \p cut has, unless that
 /// would leave more violations than the whole sheet. \return number of new layers. O(n), and with stop as much as
 /// three checks of the cells of the mesh.
-inline std::size_t cut_sheet(CutMesh& cut, SheetCut& sheet, Index id, Propagation propagation) {
-    if (propagation == Propagation::full) {
-        return cut_sheet(cut, sheet, id);
-    }
-    const std::vector<SheetFace> faces = detail::bisect_along(cut, sheet);
-    return detail::add_layers_stopping(cut, sheet, faces, id);
-}
+PAVIOR_INLINE std::size_t cut_sheet(CutMesh& cut, SheetCut& sheet, Index id, Propagation propagation);
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/marking/stop_sheet-inl.hpp>
+#endif

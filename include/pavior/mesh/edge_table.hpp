@@ -2,6 +2,7 @@
 /// \file
 /// The edges of a quad mesh, each with its quads: flat arrays, no hashing.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/mesh/mesh_access.hpp>
 
 #include <algorithm>
@@ -83,15 +84,14 @@ public:
 
 private:
     [[nodiscard]] std::size_t begin_of(std::size_t low) const { return low == 0 ? 0 : ends_[low - 1]; }
-    void sort() {
-        for (std::size_t low = 0; low + 1 < ends_.size(); ++low) {
-            std::sort(uses_.begin() + static_cast<std::ptrdiff_t>(begin_of(low)),
-                      uses_.begin() + static_cast<std::ptrdiff_t>(ends_[low]));
-        }
-    }
+    void sort();
 
     std::vector<std::size_t> ends_;
     std::vector<Use> uses_;
 };
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/mesh/edge_table-inl.hpp>
+#endif

@@ -2,15 +2,14 @@
 /// \file
 /// Nodes that lie in the place of another one.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/mesh/mesh_access.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace pavior {
@@ -41,6 +40,7 @@ template <vertex_mesh M>
 }
 
 namespace detail {
+
 /// A node in a cell of the grid; `ghost`: it lies in a neighbour, within reach of this one.
 struct GridEntry {
     std::uint64_t cell = 0;
@@ -54,41 +54,15 @@ public:
     NodeGrid(const Vec3& low, double distance) : low_(low), cell_(16.0 * distance) {}
 
     /// Appends the node to its cell and to those that are nearer than the distance.
-    void add(const Vec3& x, Index node, std::vector<GridEntry>& entries) const {
-        std::array<std::array<std::int64_t, 2>, 3> cells{};
-        std::array<std::size_t, 3> counts{1, 1, 1};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto a = static_cast<Eigen::Index>(axis);
-            const double at = (x[a] - low_[a]) / cell_ + 0.5;
-            const double base = std::floor(at);
-            cells[axis][0] = static_cast<std::int64_t>(base);
-            constexpr double reach = 1.001 / 16.0;
-            if (at - base <= reach || at - base >= 1.0 - reach) {
-                cells[axis][counts[axis]++] = cells[axis][0] + (at - base <= reach ? -1 : 1);
-            }
-        }
-        for (std::size_t i = 0; i < counts[0]; ++i) {
-            for (std::size_t j = 0; j < counts[1]; ++j) {
-                for (std::size_t k = 0; k < counts[2]; ++k) {
-                    entries.push_back({hash(cells[0][i], cells[1][j], cells[2][k]), node, i + j + k != 0});
-                }
-            }
-        }
-    }
+    void add(const Vec3& x, Index node, std::vector<GridEntry>& entries) const;
 
 private:
-    [[nodiscard]] static std::uint64_t hash(std::int64_t i, std::int64_t j, std::int64_t k) {
-        std::uint64_t h = 0;
-        for (const std::int64_t part : {i, j, k}) {
-            h = (h ^ static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15U;
-            h ^= h >> 29U;
-        }
-        return h;
-    }
+    [[nodiscard]] static std::uint64_t hash(std::int64_t i, std::int64_t j, std::int64_t k);
 
     Vec3 low_;
     double cell_;
 };
+
 }  // namespace detail
 
 /// Pairs {node, earlier node} of nodes not farther apart than \p distance >= 0, one for each node that has an earlier
@@ -125,3 +99,7 @@ template <vertex_mesh M>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/mesh/near_nodes-inl.hpp>
+#endif

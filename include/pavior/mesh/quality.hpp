@@ -2,21 +2,18 @@
 /// \file
 /// Quality of meshes: statistics and histograms of the metrics of their cells.
 
-#include <pavior/core/parallel_for.hpp>
 #include <pavior/core/chunks.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/core/error.hpp>
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/math/hexahedron.hpp>
 #include <pavior/math/quadrilateral.hpp>
 #include <pavior/mesh/mesh_access.hpp>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace pavior {
@@ -63,60 +60,18 @@ struct QuadQuality {
 };
 
 namespace detail {
+
 /// Statistics in the making: mean and the sum of square deviations, merged pairwise without cancellation.
 class Tally {
 public:
     Tally() = default;
     Tally(double low, double high, std::size_t bins) : low_(low), high_(high), histogram_(bins, 0) {}
 
-    void add(double value, Index cell) {
-        count_ += 1.0;
-        const double delta = value - mean_;
-        mean_ += delta / count_;
-        squares_ += delta * (value - mean_);
-        if (value < min_) {
-            min_ = value;
-            worst_ = cell;
-        }
-        max_ = std::max(max_, value);
-        not_positive_ += value > 0.0 ? 0 : 1;
-        const double at = std::floor((value - low_) / (high_ - low_) * static_cast<double>(histogram_.size()));
-        ++histogram_[static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(histogram_.size() - 1)))];
-    }
+    void add(double value, Index cell);
     /// Adds the cells of \p later, whose ids are greater.
-    void merge(const Tally& later) {
-        const double total = count_ + later.count_;
-        if (later.count_ == 0.0) {
-            return;
-        }
-        const double delta = later.mean_ - mean_;
-        squares_ += later.squares_ + delta * delta * count_ * later.count_ / total;
-        mean_ += delta * later.count_ / total;
-        count_ = total;
-        if (later.min_ < min_) {
-            min_ = later.min_;
-            worst_ = later.worst_;
-        }
-        max_ = std::max(max_, later.max_);
-        not_positive_ += later.not_positive_;
-        std::transform(histogram_.begin(), histogram_.end(), later.histogram_.begin(), histogram_.begin(),
-                       std::plus<>());
-    }
+    void merge(const Tally& later);
     [[nodiscard]] std::size_t not_positive() const { return not_positive_; }
-    [[nodiscard]] Statistics result() const {
-        if (count_ == 0.0) {
-            return {0, 0.0, 0.0, 0.0, 0.0, 0, low_, high_, histogram_};
-        }
-        return {static_cast<std::size_t>(count_),
-                min_,
-                max_,
-                mean_,
-                std::sqrt(squares_ / count_),
-                worst_,
-                low_,
-                high_,
-                histogram_};
-    }
+    [[nodiscard]] Statistics result() const;
 
 private:
     double count_ = 0.0;
@@ -167,12 +122,8 @@ template <std::size_t N, class Metrics>
     return all;
 }
 
-inline void require_size(std::size_t size, std::size_t cells) {
-    if (size != cells) {
-        throw InputError(ErrorCode::size_mismatch,
-                         std::to_string(size) + " values for " + std::to_string(cells) + " cells");
-    }
-}
+PAVIOR_INLINE void require_size(std::size_t size, std::size_t cells);
+
 }  // namespace detail
 
 /// The metrics of hexahedron \p h.
@@ -232,3 +183,7 @@ template <quad_mesh M>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/mesh/quality-inl.hpp>
+#endif

@@ -2,17 +2,16 @@
 /// \file
 /// Checks of hexahedral meshes: conforming, valid, closed.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/math/hexahedron.hpp>
 #include <pavior/math/quadrilateral.hpp>
 #include <pavior/mesh/boundary_quads.hpp>
-#include <pavior/mesh/edge_table.hpp>
 #include <pavior/mesh/near_nodes.hpp>
 #include <pavior/mesh/verify_report.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <span>
@@ -45,6 +44,7 @@ struct HexReport : VerifyReport {
 };
 
 namespace detail {
+
 /// Corners of a hexahedron or quad, moved and scaled.
 template <std::size_t N, class M>
 [[nodiscard]] std::array<Vec3, N> cell_points(const M& mesh, const std::array<Index, N>& corners, const Vec3& origin,
@@ -120,36 +120,10 @@ void check_volume(const M& mesh, std::span<const char> bad, const FaceScan& face
     report.min_det = std::isinf(scan.min_det) ? 0.0 : scan.min_det * scale;
 }
 
-inline void check_closed(std::size_t nodes, const std::vector<QuadCorners>& quads, HexReport& report) {
-    const EdgeTable edges(nodes, quads.size(), [&](Index q) { return quads[q]; });
-    edges.for_each([&](Index low, Index high, std::span<const EdgeTable::Use> uses) {
-        if (uses.size() % 2 != 0) {
-            report.add(MeshFault::open_boundary, {low, high});
-        } else if (uses.size() > 2) {
-            ++report.crossed_edges;
-        }
-    });
-}
+PAVIOR_INLINE void check_closed(std::size_t nodes, const std::vector<QuadCorners>& quads, HexReport& report);
 
-inline void compare_boundary(std::span<const QuadCorners> given, const std::vector<QuadCorners>& found,
-                             HexReport& report) {
-    std::vector<QuadCorners> wanted;
-    wanted.reserve(given.size());
-    std::transform(given.begin(), given.end(), std::back_inserter(wanted), from_smallest);
-    std::vector<QuadCorners> actual = found;
-    std::sort(wanted.begin(), wanted.end());
-    std::sort(actual.begin(), actual.end());
-    std::vector<QuadCorners> differing;
-    std::set_difference(wanted.begin(), wanted.end(), actual.begin(), actual.end(), std::back_inserter(differing));
-    for (const QuadCorners& c : differing) {
-        record(report, MeshFault::boundary_missing, c);
-    }
-    differing.clear();
-    std::set_difference(actual.begin(), actual.end(), wanted.begin(), wanted.end(), std::back_inserter(differing));
-    for (const QuadCorners& c : differing) {
-        record(report, MeshFault::boundary_extra, c);
-    }
-}
+PAVIOR_INLINE void compare_boundary(std::span<const QuadCorners> given, const std::vector<QuadCorners>& found,
+                                    HexReport& report);
 
 template <hex_mesh M>
 void check_hex_nodes(const M& mesh, const VerifyHexesOptions& options, HexReport& report) {
@@ -200,6 +174,7 @@ template <hex_mesh M>
     check_volume(mesh, bad, faces, options, report);
     return report;
 }
+
 }  // namespace detail
 
 /// Checks \p mesh and lists every fault: `empty`, `not_finite`, `id_out_of_range`, `repeated_node`, `overused` (quad of
@@ -222,3 +197,7 @@ template <hex_mesh M>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/mesh/verify_hexes-inl.hpp>
+#endif

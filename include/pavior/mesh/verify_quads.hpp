@@ -2,6 +2,7 @@
 /// \file
 /// Checks of quad meshes: everything that the compiler cannot see in the concept quad_mesh.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/mesh/edge_table.hpp>
 #include <pavior/mesh/verify_report.hpp>
 
@@ -30,17 +31,12 @@ struct QuadReport : VerifyReport {
 };
 
 namespace detail {
+
 /// Union-find over [0, n); the root of a set is its smallest member.
 class DisjointSets {
 public:
     explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-    [[nodiscard]] std::size_t root(std::size_t i) {
-        while (parent_[i] != i) {
-            parent_[i] = parent_[parent_[i]];
-            i = parent_[i];
-        }
-        return i;
-    }
+    [[nodiscard]] std::size_t root(std::size_t i);
     void unite(std::size_t i, std::size_t j) {
         i = root(i);
         j = root(j);
@@ -165,21 +161,9 @@ void check_nodes(const M& mesh, const std::vector<char>& bad, const VerifyQuadsO
     }
 }
 
-inline void check_components(const std::vector<char>& bad, const VerifyQuadsOptions& options, QuadReport& report,
-                             DisjointSets& quads) {
-    std::vector<std::int64_t> firsts;
-    for (std::size_t q = 0; q < bad.size(); ++q) {
-        if (bad[q] == 0 && quads.root(q) == q) {
-            firsts.push_back(static_cast<std::int64_t>(q));
-        }
-    }
-    report.components = firsts.size();
-    if (firsts.size() > options.max_components) {
-        for (const std::int64_t q : firsts) {
-            report.add(MeshFault::disconnected, {q});
-        }
-    }
-}
+PAVIOR_INLINE void check_components(const std::vector<char>& bad, const VerifyQuadsOptions& options, QuadReport& report,
+                                    DisjointSets& quads);
+
 }  // namespace detail
 
 /// Checks \p mesh and lists every fault: `empty`, `not_finite`, `id_out_of_range`, `repeated_node`, `duplicate_cell`
@@ -206,3 +190,7 @@ template <quad_mesh M>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/mesh/verify_quads-inl.hpp>
+#endif

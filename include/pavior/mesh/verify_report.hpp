@@ -2,9 +2,9 @@
 /// \file
 /// What the checks of meshes report: kinds of faults, exact counts, and some of the offenders.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/core/error.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -114,19 +114,7 @@ public:
     }
 
     /// One line a finding: "3 inverted cells: 4, 8, 15"; empty if there is none.
-    [[nodiscard]] std::string text() const {
-        std::string lines;
-        for (const Finding& finding : findings_) {
-            lines += lines.empty() ? "" : "\n";
-            lines += std::to_string(finding.count) + " " + std::string(to_string(finding.fault));
-            for (std::size_t i = 0; i < finding.ids.size(); ++i) {
-                lines += i == 0 ? ": " : i % finding.ids_per_item == 0 ? ", " : " ";
-                lines += std::to_string(finding.ids[i]);
-            }
-            lines += finding.ids.size() < finding.count * finding.ids_per_item && !finding.ids.empty() ? " ..." : "";
-        }
-        return lines;
-    }
+    [[nodiscard]] std::string text() const;
 
     /// Throws InputError with the code and ids of the first finding and the text of all; nothing if there is none.
     void throw_if_bad() const {
@@ -136,43 +124,21 @@ public:
     }
 
     /// Records one offender; all of one kind have the same number of ids.
-    void add(MeshFault fault, std::initializer_list<std::int64_t> ids) {
-        Finding& finding = slot(fault, ids.size());
-        if (finding.count++ < cap_) {
-            finding.ids.insert(finding.ids.end(), ids.begin(), ids.end());
-        }
-    }
+    void add(MeshFault fault, std::initializer_list<std::int64_t> ids);
     /// Records the offenders of \p other after those of this.
-    void append(const VerifyReport& other) {
-        for (const Finding& more : other.findings_) {
-            Finding& finding = slot(more.fault, more.ids_per_item);
-            finding.count += more.count;
-            const std::size_t room = cap_ * finding.ids_per_item - finding.ids.size();
-            const auto taken = static_cast<std::ptrdiff_t>(std::min(room, more.ids.size()));
-            finding.ids.insert(finding.ids.end(), more.ids.begin(), more.ids.begin() + taken);
-        }
-    }
+    void append(const VerifyReport& other);
 
 private:
     /// Where findings of this kind are or belong.
-    [[nodiscard]] std::size_t position(MeshFault fault) const {
-        std::size_t at = 0;
-        while (at < findings_.size() && findings_[at].fault < fault) {
-            ++at;
-        }
-        return at;
-    }
-    Finding& slot(MeshFault fault, std::size_t ids_per_item) {
-        const std::size_t at = position(fault);
-        if (at == findings_.size() || findings_[at].fault != fault) {
-            findings_.insert(findings_.begin() + static_cast<std::ptrdiff_t>(at),
-                             Finding{fault, 0, std::max<std::size_t>(ids_per_item, 1), {}});
-        }
-        return findings_[at];
-    }
+    [[nodiscard]] std::size_t position(MeshFault fault) const;
+    Finding& slot(MeshFault fault, std::size_t ids_per_item);
 
     std::size_t cap_ = 16;
     std::vector<Finding> findings_;
 };
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/mesh/verify_report-inl.hpp>
+#endif

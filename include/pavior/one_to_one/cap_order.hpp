@@ -2,9 +2,9 @@
 /// \file
 /// The order in which the sweeps of an assembly are meshed, so that every shared cap is meshed once.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/one_to_one/sweep_topology.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <span>
@@ -14,21 +14,7 @@
 namespace pavior {
 
 /// The same sweep run from its target to its source.
-[[nodiscard]] inline SweepTopology reversed(const SweepTopology& sweep) {
-    SweepTopology result = sweep;
-    std::swap(result.source, result.target);
-    std::swap(result.source_outward, result.target_outward);
-    for (std::size_t i = 0; i < sweep.loops.size(); ++i) {
-        result.source_loops[i] = reversed(sweep.target_loops[i]);
-        result.target_loops[i] = reversed(sweep.source_loops[i]);
-        std::vector<LinkingSide>& sides = result.loops[i];
-        std::reverse(sides.begin(), sides.end());
-        for (LinkingSide& side : sides) {
-            side = upside_down(side);
-        }
-    }
-    return result;
-}
+[[nodiscard]] PAVIOR_INLINE SweepTopology reversed(const SweepTopology& sweep);
 
 /// One step of the order: which sweep, and whether it runs against its topology.
 struct SweepStep {
@@ -43,34 +29,13 @@ namespace detail {
 /// Walks chains of sweeps over shared caps.
 class CapWalk {
 public:
-    explicit CapWalk(std::span<const SweepTopology> sweeps) : sweeps_(sweeps), done_(sweeps.size(), false) {
-        for (std::size_t i = 0; i < sweeps.size(); ++i) {
-            users_[sweeps[i].source].push_back(i);
-            users_[sweeps[i].target].push_back(i);
-        }
-    }
+    explicit CapWalk(std::span<const SweepTopology> sweeps);
 
     /// Takes all that can be reached from \p cap, whose mesh is known.
-    void run(FaceId cap) {
-        for (std::size_t i = next(cap); i < sweeps_.size(); i = next(cap)) {
-            const bool backwards = sweeps_[i].source != cap;
-            order_.push_back({i, backwards});
-            done_[i] = true;
-            cap = backwards ? sweeps_[i].source : sweeps_[i].target;
-        }
-    }
+    void run(FaceId cap);
 
     /// The cap at the far end of the chain that reaches sweep \p i through its source.
-    [[nodiscard]] FaceId far_end(std::size_t i) const {
-        std::vector<bool> seen = done_;
-        FaceId cap = sweeps_[i].source;
-        seen[i] = true;
-        for (std::size_t j = next(cap, seen); j < sweeps_.size(); j = next(cap, seen)) {
-            seen[j] = true;
-            cap = sweeps_[j].source == cap ? sweeps_[j].target : sweeps_[j].source;
-        }
-        return cap == sweeps_[i].target ? sweeps_[i].source : cap;  // a closed chain comes back from the other side
-    }
+    [[nodiscard]] FaceId far_end(std::size_t i) const;
 
     [[nodiscard]] bool done(std::size_t i) const { return done_[i]; }
     [[nodiscard]] const std::map<FaceId, std::vector<std::size_t>>& users() const { return users_; }
@@ -78,14 +43,7 @@ public:
 
 private:
     [[nodiscard]] std::size_t next(FaceId cap) const { return next(cap, done_); }
-    [[nodiscard]] std::size_t next(FaceId cap, const std::vector<bool>& taken) const {
-        for (const std::size_t i : users_.at(cap)) {
-            if (!taken[i]) {
-                return i;
-            }
-        }
-        return sweeps_.size();
-    }
+    [[nodiscard]] std::size_t next(FaceId cap, const std::vector<bool>& taken) const;
 
     std::span<const SweepTopology> sweeps_;
     std::vector<bool> done_;
@@ -118,3 +76,7 @@ template <class Meshed>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/one_to_one/cap_order-inl.hpp>
+#endif

@@ -3,17 +3,14 @@
 /// Interval assignment: how many mesh edges each edge of a model gets, so that swept solids can be meshed and fit
 /// together.
 
-#include <pavior/core/error.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/intervals/integer_program.hpp>
 #include <pavior/intervals/solve_intervals.hpp>
 #include <pavior/one_to_one/interval_rules.hpp>
 #include <pavior/one_to_one/sweep_topology.hpp>
 
-#include <algorithm>
 #include <cstddef>
-#include <set>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace pavior {
@@ -32,32 +29,9 @@ struct IntervalAssignment {
 namespace detail {
 
 /// What \p solved says about the edges, which come first in \p system, and the sweeps.
-inline void fill_assignment(const IntervalSystem& system, const std::vector<EdgeId>& edges,
-                            std::span<const SweepTopology> sweeps, std::size_t edge_count, const IntervalResult& solved,
-                            IntervalAssignment& result) {
-    result.intervals.assign(edge_count, 0);
-    result.objective = 0.0;
-    result.optimal = solved.status == ProgramStatus::optimal;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        result.intervals[edges[i].index()] = solved.numbers[i];
-        const double cost = interval_cost(solved.numbers[i], system.edges[i].wish);
-        result.objective += cost;
-        if (!result.worst_edge.valid() || 1.0 + cost > result.worst_ratio) {
-            result.worst_ratio = 1.0 + cost;
-            result.worst_edge = edges[i];
-        }
-    }
-    result.mean_ratio = 1.0 + (edges.empty() ? 0.0 : result.objective / static_cast<double>(edges.size()));
-    for (const SweepTopology& sweep : sweeps) {
-        int layers = 0;
-        for (const std::vector<SidePlacement>& sides : place_sides(sweep, result.intervals)) {
-            for (const SidePlacement& side : sides) {
-                layers = std::max(layers, side.row + side.rows);
-            }
-        }
-        result.layers.push_back(layers);
-    }
-}
+PAVIOR_INLINE void fill_assignment(const IntervalSystem& system, const std::vector<EdgeId>& edges,
+                                   std::span<const SweepTopology> sweeps, std::size_t edge_count,
+                                   const IntervalResult& solved, IntervalAssignment& result);
 
 }  // namespace detail
 
@@ -83,3 +57,7 @@ template <brep B, integer_solver Solver>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/one_to_one/intervals-inl.hpp>
+#endif

@@ -2,16 +2,15 @@
 /// \file
 /// Structured mesh of one linking side of a CAD model, on its surface, between the nodes of its edges.
 
-#include <pavior/one_to_one/sweep_topology.hpp>
 #include <pavior/brep/boundary_mesh.hpp>
 #include <pavior/brep/face_surface.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/lattice/submap_face.hpp>
 #include <pavior/one_to_one/side_grid.hpp>
+#include <pavior/one_to_one/sweep_topology.hpp>
 #include <pavior/sweep/linking_side.hpp>
 
-#include <algorithm>
 #include <cstddef>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -39,21 +38,9 @@ template <brep B>
 }
 
 /// Global node ids of the grid: border from the chains, inner nodes added row by row.
-[[nodiscard]] inline std::vector<Index> grid_ids(BoundaryMesh& mesh, const StructuredGrid<Vec3>& grid,
-                                                 const SideChain& bottom, const SideChain& right, const SideChain& top,
-                                                 const SideChain& left) {
-    std::vector<Index> ids(grid.nodes.size());
-    for (std::size_t k = 0; k <= grid.rows; ++k) {
-        for (std::size_t i = 0; i <= grid.columns; ++i) {
-            ids[grid.index(i, k)] = k == 0              ? bottom.ids[i]
-                                    : k == grid.rows    ? top.ids[i]
-                                    : i == 0            ? left.ids[k]
-                                    : i == grid.columns ? right.ids[k]
-                                                        : mesh.add_node(grid(i, k));
-        }
-    }
-    return ids;
-}
+[[nodiscard]] PAVIOR_INLINE std::vector<Index> grid_ids(BoundaryMesh& mesh, const StructuredGrid<Vec3>& grid,
+                                                        const SideChain& bottom, const SideChain& right,
+                                                        const SideChain& top, const SideChain& left);
 
 }  // namespace detail
 
@@ -68,21 +55,7 @@ struct LinkingFaceReport {
 namespace detail {
 
 /// The face of \p side as submapping sees it: from inside or outside, as the face's own normal points.
-[[nodiscard]] inline LogicalFace logical_face(const LinkingSide& side) {
-    LogicalLoop loop;
-    for (const auto& [use, role] : outline_of(side)) {
-        loop.uses.push_back(side.outward ? use : OrientedEdge{use.edge, !use.forward});
-        const int heading = static_cast<int>(role);  // seen from inside, +s is where bottom came from
-        loop.heading.push_back(side.outward ? heading : heading % 2 == 0 ? heading : 4 - heading);
-    }
-    if (!side.outward) {
-        std::reverse(loop.uses.begin(), loop.uses.end());
-        std::reverse(loop.heading.begin(), loop.heading.end());
-    }
-    LogicalFace result;
-    result.loops.push_back(std::move(loop));
-    return result;
-}
+[[nodiscard]] PAVIOR_INLINE LogicalFace logical_face(const LinkingSide& side);
 
 /// A side that is a union of rectangles, by mesh_submap_face().
 template <brep B>
@@ -137,3 +110,7 @@ LinkingFaceReport mesh_linking_side(const B& b, BoundaryMesh& mesh, const Linkin
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/one_to_one/mesh_linking_side-inl.hpp>
+#endif

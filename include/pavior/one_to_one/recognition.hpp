@@ -2,6 +2,7 @@
 /// \file
 /// Recognition of one-to-one sweepable solids \cite roca2009 (section 2.1, conditions (i) to (iv)).
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/one_to_one/side_stacking.hpp>
 #include <pavior/one_to_one/sweep_conditions.hpp>
 #include <pavior/one_to_one/sweep_shape.hpp>
@@ -76,20 +77,8 @@ template <brep B>
 }
 
 /// Adds the pairs that break the fewest conditions, explained, until there are \p count.
-inline void add_closest_refusals(const SolidBoundary& solid, std::size_t count, std::vector<SweepRefusal>& refusals) {
-    if (solid.faces.size() < 3) {
-        refusals.push_back(too_few_faces(solid));
-        return;
-    }
-    for (const auto& [source, target] : closest_pairs(solid, count)) {
-        const auto known = [&, s = solid.faces[source].face.face, t = solid.faces[target].face.face](const auto& r) {
-            return (r.source == s && r.target == t) || (r.source == t && r.target == s);
-        };
-        if (refusals.size() < count && std::none_of(refusals.begin(), refusals.end(), known)) {
-            refusals.push_back(explain_refusal(solid, source, target));
-        }
-    }
-}
+PAVIOR_INLINE void add_closest_refusals(const SolidBoundary& solid, std::size_t count,
+                                        std::vector<SweepRefusal>& refusals);
 
 }  // namespace detail
 
@@ -169,3 +158,7 @@ template <brep B>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/one_to_one/recognition-inl.hpp>
+#endif

@@ -2,10 +2,10 @@
 /// \file
 /// Linking sides that lie above each other along the sweep: a search for consistent logical sides.
 
-#include <pavior/one_to_one/side_roles.hpp>
+#include <pavior/brep/solid_boundary.hpp>
+#include <pavior/core/compiled.hpp>
+#include <pavior/one_to_one/sweep_topology.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -44,65 +44,13 @@ private:
     static constexpr std::size_t max_free = 12;  ///< of the vertices that may be corners, the sharpest are tried
 
     static void make(const SolidBoundary& solid, const SolidBoundary::Face& f, const StackingOptions& options,
-                     std::vector<RolePattern>& result) {
-        std::vector<double> angles;
-        std::vector<int> turns;         // quarters at each vertex
-        std::vector<std::size_t> free;  // vertices that may be corners or not
-        int missing = 4;
-        for (std::size_t h = f.begin; h < f.end; ++h) {
-            const double angle = solid.half_edges[h].angle;
-            const bool corner = std::abs(angle - 90.0) <= options.corner_tolerance;
-            const bool kink = std::abs(angle - 180.0) <= options.kink_tolerance;
-            const bool notch = !kink && std::abs(angle - 270.0) <= options.notch_tolerance;
-            if (f.loops.size() != 1 || (!corner && !kink && !notch)) {
-                return;
-            }
-            if (corner && kink) {
-                free.push_back(h - f.begin);
-            }
-            turns.push_back(notch ? -1 : corner && !kink ? 1 : 0);
-            missing -= turns.back();
-            angles.push_back(angle);
-        }
-        std::stable_sort(free.begin(), free.end(), [&](auto p, auto q) { return angles[p] < angles[q]; });
-        free.resize(std::min(free.size(), max_free));
-        Weighted weighted;
-        choose_corners(angles, free, 0, missing, turns, weighted);
-        std::stable_sort(weighted.begin(), weighted.end(),
-                         [](const auto& a, const auto& b) { return a.first < b.first; });
-        for (auto& [weight, pattern] : weighted) {
-            result.push_back(std::move(pattern));
-        }
-    }
+                     std::vector<RolePattern>& result);
 
     /// Makes \p missing more corners of vertices of \p free from position \p at on, in all ways.
     static void choose_corners(const std::vector<double>& angles, const std::vector<std::size_t>& free, std::size_t at,
-                               int missing, std::vector<int>& turns, Weighted& result) {
-        if (missing == 0) {
-            add_rotations(angles, turns, result);
-        }
-        for (std::size_t i = at; missing > 0 && i < free.size(); ++i) {
-            turns[free[i]] = 1;
-            choose_corners(angles, free, i + 1, missing - 1, turns, result);
-            turns[free[i]] = 0;
-        }
-    }
+                               int missing, std::vector<int>& turns, Weighted& result);
 
-    static void add_rotations(const std::vector<double>& angles, const std::vector<int>& turns, Weighted& result) {
-        double weight = 0.0;
-        for (std::size_t i = 0; i < angles.size(); ++i) {
-            weight += std::abs(angles[i] - (180.0 - 90.0 * turns[i]));
-        }
-        for (int rotation = 0; rotation < 4; ++rotation) {
-            RolePattern pattern(angles.size());
-            int role = 3 + rotation;
-            for (std::size_t i = 0; i < angles.size(); ++i) {
-                role += turns[i] + 4;
-                pattern[i] = static_cast<SideRole>(role % 4);
-            }
-            result.emplace_back(weight, std::move(pattern));
-        }
-    }
+    static void add_rotations(const std::vector<double>& angles, const std::vector<int>& turns, Weighted& result);
 
     std::vector<std::vector<RolePattern>> patterns_;
 };
@@ -116,106 +64,23 @@ public:
                    std::size_t& tests_left)
         : solid_(solid), patterns_(patterns), source_(source), target_(target), tests_left_(tests_left) {}
 
-    [[nodiscard]] std::optional<SweepTopology> run() {
-        if (possible()) {
-            roles_.assign(solid_.half_edges.size(), SideRole::none);
-            done_.assign(solid_.faces.size(), false);
-            done_[source_] = done_[target_] = true;
-            extend();
-        }
-        return std::move(found_);
-    }
+    [[nodiscard]] std::optional<SweepTopology> run();
 
 private:
     /// Every side face has a pattern.
-    [[nodiscard]] bool possible() const {
-        for (std::size_t face = 0; face < solid_.faces.size(); ++face) {
-            if (face != source_ && face != target_ && patterns_[face].empty()) {
-                return false;
-            }
-        }
-        return true;
-    }
+    [[nodiscard]] bool possible() const;
 
     /// The pattern agrees with the caps and the roles given so far. \p known counts the half-edges that it had to meet.
-    [[nodiscard]] bool fits(std::size_t face, const RolePattern& pattern, std::size_t& known) const {
-        known = 0;
-        for (std::size_t i = 0; i < pattern.size(); ++i) {
-            const std::size_t h = solid_.faces[face].begin + i, twin = solid_.half_edges[h].twin;
-            const std::size_t other = solid_.half_edges[twin].face;
-            SideRole wanted = other == source_ ? SideRole::bottom : other == target_ ? SideRole::top : SideRole::none;
-            if (other == face) {
-                wanted = opposite(pattern[twin - solid_.faces[face].begin]);
-            } else if (wanted == SideRole::none) {
-                wanted = opposite(roles_[twin]);
-            }
-            if (wanted != SideRole::none) {
-                ++known;
-                if (pattern[i] != wanted) {
-                    return false;
-                }
-            }
-        }
-        return true;
-    }
+    [[nodiscard]] bool fits(std::size_t face, const RolePattern& pattern, std::size_t& known) const;
 
     /// The patterns of a face that fit; \p known tells whether the face had anything to meet.
-    [[nodiscard]] std::vector<const RolePattern*> fitting_patterns(std::size_t face, bool& known) {
-        std::vector<const RolePattern*> result;
-        std::size_t met = 0;
-        known = false;
-        for (const RolePattern& pattern : patterns_[face]) {
-            if (fits(face, pattern, met)) {
-                result.push_back(&pattern);
-            }
-            known = known || met != 0;
-        }
-        tests_left_ -= std::min(tests_left_, patterns_[face].size());
-        return result;
-    }
+    [[nodiscard]] std::vector<const RolePattern*> fitting_patterns(std::size_t face, bool& known);
 
     /// The unfinished face with the fewest fitting patterns, of those that have something to meet if there are any;
     /// faces.size() if all are done.
-    [[nodiscard]] std::size_t pick(std::vector<const RolePattern*>& fitting) {
-        std::size_t best = solid_.faces.size();
-        std::pair<bool, std::size_t> best_rank;
-        for (std::size_t face = 0; face < solid_.faces.size(); ++face) {
-            if (done_[face]) {
-                continue;
-            }
-            bool known = false;
-            std::vector<const RolePattern*> candidates = fitting_patterns(face, known);
-            const std::pair rank(!known, candidates.size());
-            if (best == solid_.faces.size() || rank < best_rank) {
-                best = face;
-                best_rank = rank;
-                fitting = std::move(candidates);
-            }
-            if (best_rank.second == 0) {
-                break;
-            }
-        }
-        return best;
-    }
+    [[nodiscard]] std::size_t pick(std::vector<const RolePattern*>& fitting);
 
-    void extend() {
-        std::vector<const RolePattern*> fitting;
-        const std::size_t face = pick(fitting);
-        if (face == solid_.faces.size()) {
-            found_ = sweep_from_roles(solid_, source_, target_, roles_);
-            return;
-        }
-        done_[face] = true;
-        for (const RolePattern* pattern : fitting) {
-            if (found_ || tests_left_ == 0) {
-                break;
-            }
-            std::copy(pattern->begin(), pattern->end(), roles_.begin() + offset(face));
-            extend();
-        }
-        std::fill(roles_.begin() + offset(face), roles_.begin() + end_offset(face), SideRole::none);
-        done_[face] = false;
-    }
+    void extend();
 
     [[nodiscard]] std::ptrdiff_t offset(std::size_t face) const {
         return static_cast<std::ptrdiff_t>(solid_.faces[face].begin);
@@ -244,3 +109,7 @@ private:
 }  // namespace detail
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/one_to_one/side_stacking-inl.hpp>
+#endif

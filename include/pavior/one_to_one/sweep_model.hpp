@@ -2,6 +2,7 @@
 /// \file
 /// Sweeps all solids of a CAD model into one conforming hexahedral mesh.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/core/progress.hpp>
 #include <pavior/mesh/span_mesh.hpp>
 #include <pavior/one_to_one/cap_order.hpp>
@@ -12,7 +13,6 @@
 
 #include <cstddef>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace pavior {
@@ -48,24 +48,6 @@ struct ModelMesh {
 };
 
 namespace detail {
-
-/// Appends the hexahedra of one solid.
-inline void append_solid(ModelMesh& result, const SolidMesh& solid, SolidId id, Renumbering& number) {
-    std::vector<Index> ids;
-    ids.reserve(solid.nodes.size());
-    for (const Index node : solid.nodes) {
-        ids.push_back(number(node));
-    }
-    for (std::size_t k = 0; k < solid.layers; ++k) {
-        const std::size_t below = k * solid.level_size;
-        const std::size_t above = below + solid.level_size;
-        for (const QuadCorners& q : solid.quads) {
-            result.mesh.hexes.push_back({ids[below + q[0]], ids[below + q[1]], ids[below + q[2]], ids[below + q[3]],
-                                         ids[above + q[0]], ids[above + q[1]], ids[above + q[2]], ids[above + q[3]]});
-            result.hex_solid.push_back(id);
-        }
-    }
-}
 
 /// Meshes the linking sides of all sweeps, each face once; those meshed already are put in rows and columns.
 template <brep B>
@@ -111,12 +93,7 @@ template <brep B, class M>
 }
 
 /// Appends the hexahedra of all sweeps in the order of meshing.
-inline void append_sweeps(ModelMesh& result, std::span<const SolidMesh> solids, Renumbering& number) {
-    for (std::size_t i = 0; i < solids.size(); ++i) {
-        result.solids[i].first_hex = result.mesh.hexes.size();
-        append_solid(result, solids[i], result.solids[i].solid, number);
-    }
-}
+PAVIOR_INLINE void append_sweeps(ModelMesh& result, std::span<const SolidMesh> solids, Renumbering& number);
 
 }  // namespace detail
 
@@ -147,3 +124,7 @@ template <brep B, cap_mesher M>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/one_to_one/sweep_model-inl.hpp>
+#endif

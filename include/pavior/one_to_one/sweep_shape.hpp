@@ -3,6 +3,7 @@
 /// How well shaped a sweep promises to be, and the rule by which one of several sweeps of a solid is chosen.
 
 #include <pavior/brep/face_corners.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/one_to_one/side_roles.hpp>
 #include <pavior/one_to_one/sweep_conditions.hpp>
 #include <pavior/one_to_one/sweep_topology.hpp>
@@ -13,7 +14,6 @@
 #include <map>
 #include <span>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -176,15 +176,10 @@ template <brep B>
 /// 3. more loops on the caps; 4. more edges on the caps (the complex shape to the cap, the plain one to the sides);
 /// 5. ribs of equal length (ratio in steps of 2^(1/4)); 6. straighter ribs (steps of 15 degrees); 7. flatter caps
 /// (steps of 15 degrees); 8. lower face id of the source, then of the target.
-[[nodiscard]] inline bool better_sweep(const SweepTopology& a, const SweepTopology& b) {
-    const auto rank = [](const SweepTopology& s) {
-        const auto steps = [](double value, double step) { return std::floor(value / step + 1e-6); };
-        return std::tuple(s.stacked, steps(std::max(s.shape.corner_deviation, s.shape.cap_deviation), 15.0),
-                          -static_cast<double>(s.shape.cap_loops), -static_cast<double>(s.shape.cap_edges),
-                          steps(std::log2(std::min(s.shape.rib_ratio, 1e9)), 0.25), steps(s.shape.rib_turn, 15.0),
-                          steps(s.shape.cap_warp, 15.0), s.source, s.target);
-    };
-    return rank(a) < rank(b);
-}
+[[nodiscard]] PAVIOR_INLINE bool better_sweep(const SweepTopology& a, const SweepTopology& b);
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/one_to_one/sweep_shape-inl.hpp>
+#endif

@@ -2,14 +2,14 @@
 /// \file
 /// The sweep of one solid of a CAD model whose source cap and linking sides are meshed.
 
-#include <pavior/one_to_one/sweep_topology.hpp>
 #include <pavior/brep/face_surface.hpp>
 #include <pavior/brep/match_quads.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/core/progress.hpp>
-#include <pavior/math/quadrilateral.hpp>
 #include <pavior/one_to_one/cap_boundary.hpp>
 #include <pavior/one_to_one/side_grid.hpp>
+#include <pavior/one_to_one/sweep_topology.hpp>
 #include <pavior/sweep/sweep.hpp>
 #include <pavior/sweep/target_projection.hpp>
 #include <pavior/sweep/untangle_sweep.hpp>
@@ -51,28 +51,10 @@ struct SolidMesh {
 
 namespace detail {
 
-[[nodiscard]] inline std::vector<Vec3> positions(const BoundaryMesh& mesh, std::span<const Index> ids) {
-    std::vector<Vec3> points;
-    points.reserve(ids.size());
-    for (const Index id : ids) {
-        points.push_back(mesh.nodes[id]);
-    }
-    return points;
-}
+[[nodiscard]] PAVIOR_INLINE std::vector<Vec3> positions(const BoundaryMesh& mesh, std::span<const Index> ids);
 
 /// The loops of a sweep as positions in the source cap.
-[[nodiscard]] inline Loops local_loops(const LevelIds& levels, const PositionOf& position) {
-    Loops loops;
-    for (std::size_t l = 0; l + 1 < levels.offsets.size(); ++l) {
-        std::vector<Index> loop;
-        for (std::size_t i = levels.offsets[l]; i < levels.offsets[l + 1]; ++i) {
-            loop.push_back(position(levels.level(0)[i]));
-            PAVIOR_ASSERT(loop.back() != no_node);
-        }
-        loops.add(loop);
-    }
-    return loops;
-}
+[[nodiscard]] PAVIOR_INLINE Loops local_loops(const LevelIds& levels, const PositionOf& position);
 
 /// Projects the source cap onto the target face and stores its mesh there.
 template <brep B>
@@ -134,23 +116,10 @@ template <brep B>
 }
 
 /// Adds the inner nodes of a sweep to \p mesh; returns the ids of all its nodes, level by level.
-[[nodiscard]] inline std::vector<Index> store_sweep(BoundaryMesh& mesh, const SweepMesh& swept, const Loops& loops,
-                                                    const LevelIds& levels, std::span<const Index> source_ids,
-                                                    std::span<const Index> target_ids) {
-    std::vector<Index> ids(swept.nodes().size(), no_node);
-    std::copy(source_ids.begin(), source_ids.end(), ids.begin());
-    std::copy(target_ids.begin(), target_ids.end(), ids.end() - static_cast<std::ptrdiff_t>(target_ids.size()));
-    for (std::size_t k = 1; k < swept.layer_count(); ++k) {
-        const std::size_t first = k * swept.level_size();
-        for (std::size_t i = 0; i < loops.nodes.size(); ++i) {
-            ids[first + loops.nodes[i]] = levels.level(k)[i];
-        }
-        for (std::size_t i = first; i < first + swept.level_size(); ++i) {
-            ids[i] = ids[i] == no_node ? mesh.add_node(swept.nodes()[i]) : ids[i];
-        }
-    }
-    return ids;
-}
+[[nodiscard]] PAVIOR_INLINE std::vector<Index> store_sweep(BoundaryMesh& mesh, const SweepMesh& swept,
+                                                           const Loops& loops, const LevelIds& levels,
+                                                           std::span<const Index> source_ids,
+                                                           std::span<const Index> target_ids);
 
 }  // namespace detail
 
@@ -199,3 +168,7 @@ SolidMesh sweep_solid(const B& b, BoundaryMesh& mesh, const SweepTopology& sweep
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/one_to_one/sweep_solid-inl.hpp>
+#endif

@@ -7,6 +7,7 @@
 #include <pavior/core/error.hpp>
 #include <pavior/intervals/integer_program.hpp>
 #include <pavior/one_to_one/recognition.hpp>
+#include <pavior/one_to_one/side_grid.hpp>
 #include <pavior/one_to_one/structure_side.hpp>
 #include <pavior/submap/submap_recognition.hpp>
 

@@ -2,7 +2,7 @@
 /// \file
 /// Untangles and optimises hexahedra, the worst first; boundary nodes may slide on their curves and surfaces.
 
-#include <pavior/core/error.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/math/point.hpp>
 #include <pavior/mesh/mesh_access.hpp>
 #include <pavior/smooth/detail/guided_model.hpp>
@@ -53,19 +53,7 @@ struct ImprovedHexes {
 
 namespace detail {
 
-inline void check_options(const ImproveOptions& options) {
-    const auto require = [](bool condition, const char* message) {
-        if (!condition) {
-            throw InputError(ErrorCode::bad_option, message);
-        }
-    };
-    require(options.target > 0.0 && options.target <= 1.0, "ImproveOptions::target must lie in (0, 1]");
-    require(options.sufficient >= 0.0 && options.sufficient <= 1.0, "ImproveOptions::sufficient must lie in [0, 1]");
-    require(options.gain > 0.0 && options.gain <= 0.5, "ImproveOptions::gain must lie in (0, 0.5]");
-    require(options.rings >= 1 && options.rings <= 1000, "ImproveOptions::rings must lie in [1, 1000]");
-    require(options.effort > 0.0, "ImproveOptions::effort must be above 0");
-    require(options.attempts >= 1, "ImproveOptions::attempts must be at least 1");
-}
+PAVIOR_INLINE void check_options(const ImproveOptions& options);
 
 /// Repairs, then raises the worst first; \p result holds what was before.
 template <node_guide G>
@@ -174,3 +162,7 @@ template <hex_mesh M, node_guide G>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/smooth/improve_hexes-inl.hpp>
+#endif

@@ -2,6 +2,7 @@
 /// \file
 /// Whether submapped solids fit into the integer lattice without touching or covering themselves.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/lattice/submap_lattice.hpp>
 
 #include <algorithm>
@@ -48,17 +49,7 @@ void claim_loops(const B& b, const LogicalFace& face, const FaceTrace& trace, co
 }
 
 /// Positions of sides of \p solid that claim one lattice point for different nodes.
-[[nodiscard]] inline std::set<std::size_t> contested(std::vector<LatticeClaim> claims) {
-    std::set<std::size_t> result;
-    std::sort(claims.begin(), claims.end());
-    for (std::size_t i = 1; i < claims.size(); ++i) {
-        const LatticeClaim &a = claims[i - 1], &c = claims[i];
-        if (a.point == c.point && (a.dimension != c.dimension || a.entity != c.entity)) {
-            result.insert({a.side, c.side});
-        }
-    }
-    return result;
-}
+[[nodiscard]] PAVIOR_INLINE std::set<std::size_t> contested(std::vector<LatticeClaim> claims);
 
 /// Positions of sides of \p solid that overlap or touch where they should not; empty if the solid is sound.
 template <brep B>
@@ -113,3 +104,7 @@ template <brep B>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/submap/submap_check-inl.hpp>
+#endif

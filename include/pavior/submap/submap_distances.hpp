@@ -2,14 +2,16 @@
 /// \file
 /// Distances that the lattice of a submapped solid must keep: between faces, and within a face between its edges.
 
+#include <pavior/core/compiled.hpp>
+#include <pavior/core/error.hpp>
 #include <pavior/intervals/interval_system.hpp>
+#include <pavior/lattice/signed_axis.hpp>
+#include <pavior/lattice/submap_topology.hpp>
 #include <pavior/submap/submap_unknowns.hpp>
-#include <pavior/sweep/unwrap.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <span>
 #include <string>
 #include <utility>
@@ -25,43 +27,9 @@ struct SideOutline {
     Vec2 low, high;
     std::array<std::vector<double>, 2> cuts;  ///< sorted coordinates of the vertices
 
-    [[nodiscard]] bool contains(const Vec2& p) const {
-        bool inside = false;
-        for (const std::vector<Vec2>& loop : loops) {
-            inside = inside != inside_polygon(p, loop);
-        }
-        return inside;
-    }
+    [[nodiscard]] bool contains(const Vec2& p) const;
     /// Whether the outlines have common inner points, after growing the boxes by \p margin if that is positive.
-    [[nodiscard]] bool meets(const SideOutline& other, double margin) const {
-        const Vec2 from = low.cwiseMax(other.low), to = high.cwiseMin(other.high);
-        const double tiny = 1e-6 * (high - low + other.high - other.low).maxCoeff();
-        if (margin > 0.0) {
-            return (to - from).minCoeff() > -margin;
-        }
-        if ((to - from).minCoeff() <= tiny) {
-            return false;
-        }
-        std::array<std::vector<double>, 2> middles;
-        for (std::size_t a = 0; a < 2; ++a) {
-            std::vector<double> all;
-            std::set_union(cuts[a].begin(), cuts[a].end(), other.cuts[a].begin(), other.cuts[a].end(),
-                           std::back_inserter(all));
-            for (std::size_t i = 0; i + 1 < all.size(); ++i) {
-                if (all[i + 1] - all[i] > tiny) {
-                    middles[a].push_back(0.5 * (all[i] + all[i + 1]));
-                }
-            }
-        }
-        for (const double x : middles[0]) {
-            for (const double y : middles[1]) {
-                if (contains({x, y}) && other.contains({x, y})) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
+    [[nodiscard]] bool meets(const SideOutline& other, double margin) const;
 };
 
 /// Finds faces of a solid, and edges of a face, that look at each other, through the material or across a gap, and lie
@@ -226,3 +194,7 @@ private:
 }  // namespace detail
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/submap/submap_distances-inl.hpp>
+#endif

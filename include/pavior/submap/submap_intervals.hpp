@@ -2,8 +2,8 @@
 /// \file
 /// Numbers of intervals for models of submapped (and swept) solids.
 
-#include <pavior/one_to_one/intervals.hpp>
 #include <pavior/intervals/solve_intervals.hpp>
+#include <pavior/one_to_one/intervals.hpp>
 #include <pavior/submap/submap_check.hpp>
 #include <pavior/submap/submap_distances.hpp>
 #include <pavior/submap/submap_rules.hpp>

@@ -3,13 +3,13 @@
 /// Submaps solids of a CAD model into one conforming structured hexahedral mesh.
 
 #include <pavior/brep/match_quads.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/core/progress.hpp>
 #include <pavior/mesh/span_mesh.hpp>
 #include <pavior/submap/submap_intervals.hpp>
 #include <pavior/submap/submap_recognition.hpp>
 #include <pavior/submap/submap_solid.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -53,13 +53,7 @@ struct SubmappedMesh {
     std::vector<SubmapFaceReport> faces;       ///< by face id
 
     /// The smallest determinant of unit edge vectors at a corner or of unit axes at a centre, as in SmoothReport.
-    [[nodiscard]] double min_scaled_jacobian() const {
-        double result = 1.0;
-        for (const SubmapSolidReport& solid : solids) {
-            result = std::min(result, solid.smooth.min_det_after);
-        }
-        return result;
-    }
+    [[nodiscard]] double min_scaled_jacobian() const;
 };
 
 /// Parameters of the nodes of all edges for mesh_edges(); empty where equal spacing is as good.
@@ -213,3 +207,7 @@ template <brep B, integer_solver Solver>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/submap/submap_model-inl.hpp>
+#endif

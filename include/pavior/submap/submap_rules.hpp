@@ -2,6 +2,8 @@
 /// \file
 /// The rules that submapping puts on the numbers of intervals.
 
+#include <pavior/lattice/signed_axis.hpp>
+#include <pavior/lattice/submap_topology.hpp>
 #include <pavior/one_to_one/interval_rules.hpp>
 #include <pavior/submap/submap_unknowns.hpp>
 

@@ -2,6 +2,7 @@
 /// \file
 /// Boundary-error correction: what an affine map leaves on the loops of a level is spread over its inner nodes.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/core/execution.hpp>
 #include <pavior/mesh/cells.hpp>
 #include <pavior/sweep/harmonic_error.hpp>
@@ -44,35 +45,15 @@ public:
     BoundaryError() = default;
     /// \param nodes all nodes of the cap  \param quads its quads (harmonic only)  \param loop its m loop nodes
     BoundaryError(BoundaryCorrection correction, std::span<const Vec3> nodes, std::span<const QuadCorners> quads,
-                  std::span<const Index> loop) {
-        if (correction == BoundaryCorrection::idw) {
-            idw_.emplace(nodes, loop);
-        } else if (correction == BoundaryCorrection::harmonic) {
-            harmonic_.emplace(nodes, quads, loop);
-        }
-    }
+                  std::span<const Index> loop);
 
     /// \param residuals m x c, a row for each loop node in order
-    [[nodiscard]] Prepared prepare(const Eigen::Ref<const Eigen::MatrixXd>& residuals, Execution execution = {}) const {
-        if (idw_) {
-            return idw_->prepare(residuals);
-        }
-        if (harmonic_) {
-            return harmonic_->prepare(residuals, execution);
-        }
-        return {};
-    }
+    [[nodiscard]] Prepared prepare(const Eigen::Ref<const Eigen::MatrixXd>& residuals, Execution execution = {}) const;
 
     /// Adds the correction of column c at node i to out[c * stride + (i - begin)] for begin <= i < end. \p begin must
     /// be a multiple of 16, and so \p stride, which is at least end - begin rounded up to 16. What is added at loop
     /// nodes is of no use. A column's bits do not depend on the others.
-    void add(const Prepared& prepared, std::size_t begin, std::size_t end, double* out, std::size_t stride) const {
-        if (idw_) {
-            idw_->add(std::get<InverseDistanceError::Prepared>(prepared), begin, end, out, stride);
-        } else if (harmonic_) {
-            harmonic_->add(std::get<HarmonicError::Prepared>(prepared), begin, end, out, stride);
-        }
-    }
+    void add(const Prepared& prepared, std::size_t begin, std::size_t end, double* out, std::size_t stride) const;
 
 private:
     std::optional<InverseDistanceError> idw_;
@@ -80,3 +61,7 @@ private:
 };
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/sweep/boundary_error-inl.hpp>
+#endif

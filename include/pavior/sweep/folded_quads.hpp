@@ -2,6 +2,7 @@
 /// \file
 /// Folded quads of a mesh on a parametric surface, in a parameter plane, or on a structured grid in space.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/math/parametric_surface.hpp>
 #include <pavior/math/point.hpp>
 #include <pavior/math/quadrilateral.hpp>
@@ -65,32 +66,12 @@ template <parametric_surface S>
 }  // namespace detail
 
 /// Signed area of a closed polygon, positive if it runs counter-clockwise. O(n).
-[[nodiscard]] inline double signed_area(std::span<const Vec2> polygon) {
-    double twice = 0.0;
-    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-        const Vec2 a = polygon[i] - polygon[0];
-        const Vec2 b = polygon[i + 1] - polygon[0];
-        twice += a.x() * b.y() - a.y() * b.x();
-    }
-    return 0.5 * twice;
-}
+[[nodiscard]] PAVIOR_INLINE double signed_area(std::span<const Vec2> polygon);
 
 /// Ids of the quads folded in the plane; they should run counter-clockwise, clockwise if \p reversed. O(quads).
-[[nodiscard]] inline std::vector<Index> folded_plane_quads(std::span<const Vec2> uv, std::span<const QuadCorners> quads,
-                                                           bool reversed = false) {
-    std::vector<Index> ids;
-    for (std::size_t q = 0; q < quads.size(); ++q) {
-        const QuadPoints2 x = detail::gather(uv, quads[q]);
-        std::array<double, 4> areas = quad_corner_areas(x);
-        for (double& area : areas) {
-            area = reversed ? -area : area;
-        }
-        if (detail::folded(x, areas)) {
-            ids.push_back(static_cast<Index>(q));
-        }
-    }
-    return ids;
-}
+[[nodiscard]] PAVIOR_INLINE std::vector<Index> folded_plane_quads(std::span<const Vec2> uv,
+                                                                  std::span<const QuadCorners> quads,
+                                                                  bool reversed = false);
 
 /// Ids of the quads folded on a surface, in space: seen from the surface's normal in the middle of the quad (the other
 /// side if \p reversed). Where the surface has no normal the parameter plane decides.
@@ -119,54 +100,12 @@ template <parametric_surface S>
     return ids;
 }
 
-namespace detail {
-
-/// Is the vector area of quad (i, k) nearly opposite to that of each of its two or more neighbours?
-[[nodiscard]] inline bool turned_over(const std::vector<Vec3>& areas, std::size_t columns, std::size_t rows,
-                                      std::size_t q) {
-    int neighbours = 0;
-    bool opposite = true;
-    const auto look = [&](std::size_t other) {
-        ++neighbours;
-        opposite = opposite && areas[q].dot(areas[other]) < -0.9 * areas[q].norm() * areas[other].norm();
-    };
-    const std::size_t i = q % columns;
-    const std::size_t k = q / columns;
-    if (i > 0) {
-        look(q - 1);
-    }
-    if (i + 1 < columns) {
-        look(q + 1);
-    }
-    if (k > 0) {
-        look(q - columns);
-    }
-    if (k + 1 < rows) {
-        look(q + columns);
-    }
-    return neighbours > 1 && opposite;
-}
-
-}  // namespace detail
-
 /// Ids of the quads of a grid in space that fold as far as one can tell without a surface: a corner is inverted as seen
 /// from the quad's own normal, or that normal is nearly opposite to those of all its neighbours. O(quads).
-[[nodiscard]] inline std::vector<Index> folded_grid_quads(const StructuredGrid<Vec3>& grid) {
-    const std::vector<QuadCorners> quads = structured_quads(grid.columns, grid.rows);
-    const std::span<const Vec3> nodes(grid.nodes);
-    std::vector<Vec3> areas(quads.size());
-    for (std::size_t q = 0; q < quads.size(); ++q) {
-        areas[q] = quad_vector_area(detail::gather(nodes, quads[q]));
-    }
-    std::vector<Index> ids;
-    for (std::size_t q = 0; q < quads.size(); ++q) {
-        const QuadPoints x = detail::gather(nodes, quads[q]);
-        if (detail::folded(x, quad_corner_areas(x, quad_normal(x))) ||
-            detail::turned_over(areas, grid.columns, grid.rows, q)) {
-            ids.push_back(static_cast<Index>(q));
-        }
-    }
-    return ids;
-}
+[[nodiscard]] PAVIOR_INLINE std::vector<Index> folded_grid_quads(const StructuredGrid<Vec3>& grid);
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/sweep/folded_quads-inl.hpp>
+#endif

@@ -2,6 +2,7 @@
 /// \file
 /// The structured mesh of one linking side of a sweep: on its surface, or in space where there is none.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/math/parametric_surface.hpp>
 #include <pavior/mesh/cells.hpp>
@@ -103,13 +104,7 @@ template <parametric_surface S>
 }
 
 /// Do the sides run clockwise in the parameter plane?
-[[nodiscard]] inline bool sides_reversed(const GridSides<Vec2>& sides) {
-    std::vector<Vec2> loop(sides.bottom.begin(), sides.bottom.end());
-    loop.insert(loop.end(), sides.right.begin(), sides.right.end());
-    loop.insert(loop.end(), sides.top.rbegin(), sides.top.rend());
-    loop.insert(loop.end(), sides.left.rbegin(), sides.left.rend());
-    return signed_area(loop) < 0.0;
-}
+[[nodiscard]] PAVIOR_INLINE bool sides_reversed(const GridSides<Vec2>& sides);
 
 /// Moves the inner nodes of \p in_space to their closest points; kept if fewer quads fold than in \p side.
 template <parametric_surface S, closest_point_function Closest>
@@ -160,13 +155,8 @@ void untangle_side(const S& surface, const StructuredGrid<Vec3>& in_space, Untan
 
 /// Mesh of a linking side without a surface: transfinite interpolation in space (transfinite.hpp has the errors).
 /// The side nodes are copied bit by bit; folded quads are reported, not repaired. O(M R); thread-safe.
-[[nodiscard]] inline LinkingSideMesh linking_side(const GridSides<Vec3>& sides,
-                                                  const LinkingSideOptions& options = {}) {
-    LinkingSideMesh side;
-    side.nodes = transfinite(sides, options.transfinite);
-    side.folded = folded_grid_quads(side.nodes);
-    return side;
-}
+[[nodiscard]] PAVIOR_INLINE LinkingSideMesh linking_side(const GridSides<Vec3>& sides,
+                                                         const LinkingSideOptions& options = {});
 
 /// Mesh of a linking side on its surface, section 4.2.3 \cite roca2009. Interpolates the parameters of the sides
 /// (transfinite.hpp), and evaluates the surface: inner nodes are surface.point(uv) exactly, the side nodes are the
@@ -207,3 +197,7 @@ requires(closest_point_function<Closest> || std::same_as<Closest, NoClosestPoint
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/sweep/linking_side-inl.hpp>
+#endif

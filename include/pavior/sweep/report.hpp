@@ -2,6 +2,7 @@
 /// \file
 /// What a sweep reports besides its nodes.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/core/error.hpp>
 
 #include <cstddef>
@@ -57,14 +58,11 @@ struct SweepReport {
     double nodes_seconds = 0;    ///< positions
 
     /// The first warning of this kind, null if there is none.
-    [[nodiscard]] const SweepWarning* find(SweepNotice notice) const {
-        for (const SweepWarning& warning : warnings) {
-            if (warning.notice == notice) {
-                return &warning;
-            }
-        }
-        return nullptr;
-    }
+    [[nodiscard]] const SweepWarning* find(SweepNotice notice) const;
 };
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/sweep/report-inl.hpp>
+#endif

@@ -2,16 +2,12 @@
 /// \file
 /// The hexahedral mesh of a sweep: stored nodes, implicit hexahedra.
 
-#include <pavior/core/error.hpp>
-#include <pavior/core/large_array.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/mesh/cells.hpp>
 #include <pavior/mesh/mesh_access.hpp>
 
 #include <cstddef>
-#include <limits>
 #include <span>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace pavior {
@@ -27,23 +23,9 @@ struct SweepNumbering {
 
     [[nodiscard]] std::size_t node(std::size_t k, std::size_t i) const { return k * level_size + i; }
     /// Corners of the hexahedron on \p quad in layer k. \pre the ids fit into Index
-    [[nodiscard]] HexCorners hex(std::size_t k, const QuadCorners& quad) const {
-        HexCorners corners;
-        for (std::size_t c = 0; c < 4; ++c) {
-            corners[c] = static_cast<Index>(node(k, quad[c]));
-            corners[c + 4] = static_cast<Index>(node(k + 1, quad[c]));
-        }
-        return corners;
-    }
+    [[nodiscard]] HexCorners hex(std::size_t k, const QuadCorners& quad) const;
     /// \throws InputError overflow if a node or hexahedron id does not fit into Index
-    void check(std::size_t quads) const {
-        constexpr std::size_t limit = std::numeric_limits<Index>::max();
-        if (level_size != 0 && (layers + 1 > limit / level_size || layers * quads > limit)) {
-            throw InputError(ErrorCode::overflow, std::to_string(layers) + " layers of " + std::to_string(level_size) +
-                                                      " nodes and " + std::to_string(quads) +
-                                                      " quads are more than ids of 32 bits can name");
-        }
-    }
+    void check(std::size_t quads) const;
 };
 
 /// Models hex_mesh: nodes stored level by level in source order, hexahedra made when asked for. Immutable topology;
@@ -53,14 +35,7 @@ public:
     SweepMesh() = default;
     /// \param nodes (r + 1) n points, level by level  \param quads of the source
     /// \throws InputError size_mismatch, overflow (ids)
-    SweepMesh(std::vector<Vec3> nodes, std::vector<QuadCorners> quads, std::size_t layers)
-        : nodes_(std::move(nodes)), quads_(std::move(quads)), numbering_{nodes_.size() / (layers + 1), layers} {
-        if (nodes_.size() % (layers + 1) != 0) {
-            throw InputError(ErrorCode::size_mismatch, std::to_string(nodes_.size()) + " nodes are not " +
-                                                           std::to_string(layers + 1) + " levels");
-        }
-        numbering_.check(quads_.size());
-    }
+    SweepMesh(std::vector<Vec3> nodes, std::vector<QuadCorners> quads, std::size_t layers);
 
     [[nodiscard]] std::size_t layer_count() const { return numbering_.layers; }
     [[nodiscard]] std::size_t level_size() const { return numbering_.level_size; }
@@ -78,15 +53,7 @@ public:
         return numbering_.hex(h / quads_.size(), quads_[h % quads_.size()]);
     }
     /// All hexahedra, for those who need the connectivity in memory. O(r q)
-    [[nodiscard]] std::vector<HexCorners> hexes() const {
-        std::vector<HexCorners> out = large_array<HexCorners>(hex_count());
-        for (std::size_t k = 0; k < layer_count(); ++k) {
-            for (const QuadCorners& quad : quads_) {
-                out.push_back(numbering_.hex(k, quad));
-            }
-        }
-        return out;
-    }
+    [[nodiscard]] std::vector<HexCorners> hexes() const;
 
 private:
     std::vector<Vec3> nodes_;
@@ -103,3 +70,7 @@ struct mesh_access<SweepMesh> {
 };
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/sweep/sweep_mesh-inl.hpp>
+#endif

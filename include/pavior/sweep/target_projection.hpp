@@ -2,6 +2,7 @@
 /// \file
 /// The mesh of the target cap: the source mesh mapped by an affine map between the loops, on the target surface.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/math/affine_map.hpp>
 #include <pavior/math/parametric_surface.hpp>
 #include <pavior/mesh/cells.hpp>
@@ -60,32 +61,8 @@ struct TargetMesh {
 /// Coordinates of a cap in a plane, for a source without a surface: along two orthonormal axes perpendicular to the
 /// vector area of the quads, about the mean of the nodes; quads of a nearly flat cap run counter-clockwise.
 /// InputError (null_pseudo_area) if the quads enclose no area. O(n).
-[[nodiscard]] inline std::vector<Vec2> plane_coordinates(std::span<const Vec3> nodes,
-                                                         std::span<const QuadCorners> quads) {
-    Vec3 centre = Vec3::Zero();
-    for (const Vec3& x : nodes) {
-        centre += x / static_cast<double>(nodes.size());
-    }
-    Vec3 area = Vec3::Zero();
-    double total = 0.0;
-    for (const QuadCorners& q : quads) {
-        const Vec3 a = quad_vector_area(detail::gather(nodes, q));
-        area += a;
-        total += a.norm();
-    }
-    if (!(area.norm() > 1e-10 * total)) {
-        throw InputError(ErrorCode::null_pseudo_area, "the quads of the cap enclose no area: it has no normal");
-    }
-    const Vec3 normal = area.normalized();
-    const Vec3 e1 = normal.unitOrthogonal();
-    const Vec3 e2 = normal.cross(e1);
-    std::vector<Vec2> uv;
-    uv.reserve(nodes.size());
-    for (const Vec3& x : nodes) {
-        uv.emplace_back((x - centre).dot(e1), (x - centre).dot(e2));
-    }
-    return uv;
-}
+[[nodiscard]] PAVIOR_INLINE std::vector<Vec2> plane_coordinates(std::span<const Vec3> nodes,
+                                                                std::span<const QuadCorners> quads);
 
 namespace detail {
 
@@ -230,3 +207,7 @@ template <parametric_surface S>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/sweep/target_projection-inl.hpp>
+#endif

@@ -2,14 +2,12 @@
 /// \file
 /// Transfinite interpolation of a structured grid from its four sides.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/mesh/cells.hpp>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -40,18 +38,7 @@ struct StructuredGrid {
 };
 
 /// Corner ids of the quads of an M x R grid in the order of their ids.
-[[nodiscard]] inline std::vector<QuadCorners> structured_quads(std::size_t columns, std::size_t rows) {
-    std::vector<QuadCorners> quads;
-    quads.reserve(columns * rows);
-    for (std::size_t k = 0; k < rows; ++k) {
-        for (std::size_t i = 0; i < columns; ++i) {
-            const auto a = static_cast<Index>(k * (columns + 1) + i);
-            const auto b = static_cast<Index>(a + columns + 1);
-            quads.push_back({a, a + 1, b + 1, b});
-        }
-    }
-    return quads;
-}
+[[nodiscard]] PAVIOR_INLINE std::vector<QuadCorners> structured_quads(std::size_t columns, std::size_t rows);
 
 /// The four sides of a grid. bottom and top run with i (M + 1 nodes), left and right with k (R + 1 nodes):
 ///
@@ -199,3 +186,7 @@ template <class P>
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/sweep/transfinite-inl.hpp>
+#endif

@@ -2,10 +2,10 @@
 /// \file
 /// Parameters on periodic surfaces: chains and loops that continue across the seam.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/math/point.hpp>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -16,18 +16,7 @@ using Periods = std::array<double, 2>;
 
 /// The whole number of periods to add to \p p so that it comes next to \p near. A point that is half a period away
 /// (within 1e-9 of it) stays. O(1).
-[[nodiscard]] inline Vec2 nearest_image_shift(const Vec2& p, const Vec2& near, const Periods& periods) {
-    Vec2 shift = Vec2::Zero();
-    for (int axis = 0; axis < 2; ++axis) {
-        const double period = periods[static_cast<std::size_t>(axis)];
-        if (period > 0.0) {
-            const double turns = (near[axis] - p[axis]) / period;
-            const double whole = std::ceil(std::abs(turns) - 0.5 - 1e-9);
-            shift[axis] = whole > 0.0 ? std::copysign(whole, turns) * period : 0.0;
-        }
-    }
-    return shift;
-}
+[[nodiscard]] PAVIOR_INLINE Vec2 nearest_image_shift(const Vec2& p, const Vec2& near, const Periods& periods);
 
 /// Makes a chain continuous: each node is moved by whole periods next to the one before. Steps of up to half a period
 /// are taken as they are, so a chain whose true steps are longer cannot be recognised. O(n).
@@ -43,105 +32,27 @@ struct UnwrapReport {
     Vec2 gap = Vec2::Zero();  ///< the largest jump between consecutive chains, the last and the first included
 };
 
-namespace detail {
-
-inline void note_gap(UnwrapReport& report, const Vec2& gap, double tolerance) {
-    if (!(gap.norm() <= report.gap.norm())) {
-        report.gap = gap;
-    }
-    report.closed = report.closed && gap.norm() <= tolerance;
-}
-
-inline void shift_chain(std::span<Vec2> chain, const Vec2& shift) {
-    if (shift != Vec2::Zero()) {
-        for (Vec2& p : chain) {
-            p += shift;
-        }
-    }
-}
-
-}  // namespace detail
-
 /// Moves whole chains by periods so that they run head to tail around a closed loop: chain c + 1 starts where chain c
 /// ends (both hold the common node). Each chain must be continuous in itself (unwrap_chain); the first stays.
 /// Not closed if a jump larger than \p tolerance (unit of the parameters) remains: the loop winds around the surface
 /// (gap of a whole period), meets a pole, or is no loop. Empty chains are skipped. O(n).
-inline UnwrapReport unwrap_loop(std::span<const std::span<Vec2>> chains, const Periods& periods, double tolerance) {
-    UnwrapReport report;
-    const Vec2* first = nullptr;
-    const Vec2* last = nullptr;
-    for (const std::span<Vec2> chain : chains) {
-        if (chain.empty()) {
-            continue;
-        }
-        if (last != nullptr) {
-            detail::shift_chain(chain, nearest_image_shift(chain.front(), *last, periods));
-            detail::note_gap(report, chain.front() - *last, tolerance);
-        } else {
-            first = &chain.front();
-        }
-        last = &chain.back();
-    }
-    if (first != nullptr) {
-        detail::note_gap(report, *first - *last, tolerance);
-    }
-    return report;
-}
+PAVIOR_INLINE UnwrapReport unwrap_loop(std::span<const std::span<Vec2>> chains, const Periods& periods,
+                                       double tolerance);
 
 /// The same for the four sides of a grid (as GridSides: bottom and top run with i, left and right with k); bottom
 /// stays.
-inline UnwrapReport unwrap_sides(std::span<Vec2> bottom, std::span<Vec2> top, std::span<Vec2> left,
-                                 std::span<Vec2> right, const Periods& periods, double tolerance) {
-    UnwrapReport report;
-    if (bottom.empty() || top.empty() || left.empty() || right.empty()) {
-        report.closed = false;
-        return report;
-    }
-    detail::shift_chain(right, nearest_image_shift(right.front(), bottom.back(), periods));
-    detail::shift_chain(top, nearest_image_shift(top.back(), right.back(), periods));
-    detail::shift_chain(left, nearest_image_shift(left.back(), top.front(), periods));
-    detail::note_gap(report, right.front() - bottom.back(), tolerance);
-    detail::note_gap(report, top.back() - right.back(), tolerance);
-    detail::note_gap(report, left.back() - top.front(), tolerance);
-    detail::note_gap(report, bottom.front() - left.front(), tolerance);
-    return report;
-}
+PAVIOR_INLINE UnwrapReport unwrap_sides(std::span<Vec2> bottom, std::span<Vec2> top, std::span<Vec2> left,
+                                        std::span<Vec2> right, const Periods& periods, double tolerance);
 
 /// Is \p p inside the closed polygon (even-odd rule)? Points on the polygon may go either way. O(n).
-[[nodiscard]] inline bool inside_polygon(const Vec2& p, std::span<const Vec2> polygon) {
-    bool inside = false;
-    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-        const Vec2& a = polygon[i];
-        const Vec2& b = polygon[j];
-        if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) {
-            inside = !inside;
-        }
-    }
-    return inside;
-}
+[[nodiscard]] PAVIOR_INLINE bool inside_polygon(const Vec2& p, std::span<const Vec2> polygon);
 
 /// The whole periods to add to \p p so that it lies inside the unwrapped outer loop \p polygon; for inner nodes and for
 /// the first node of a hole. If no image lies inside, the one next to the middle of the polygon's box. O(n).
-[[nodiscard]] inline Vec2 inside_shift(const Vec2& p, std::span<const Vec2> polygon, const Periods& periods) {
-    if (polygon.empty()) {
-        return Vec2::Zero();
-    }
-    Vec2 low = polygon.front();
-    Vec2 high = low;
-    for (const Vec2& q : polygon) {
-        low = low.cwiseMin(q);
-        high = high.cwiseMax(q);
-    }
-    const Vec2 next = nearest_image_shift(p, 0.5 * (low + high), periods);
-    for (const double du : {0.0, -1.0, 1.0}) {
-        for (const double dv : {0.0, -1.0, 1.0}) {
-            const Vec2 shift = next + Vec2(du * periods[0], dv * periods[1]);
-            if (inside_polygon(p + shift, polygon)) {
-                return shift;
-            }
-        }
-    }
-    return next;
-}
+[[nodiscard]] PAVIOR_INLINE Vec2 inside_shift(const Vec2& p, std::span<const Vec2> polygon, const Periods& periods);
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/sweep/unwrap-inl.hpp>
+#endif

@@ -2,8 +2,8 @@
 /// \file
 /// The search for feature edges behind make_reference_mesh().
 
-#include <pavior/dual/detail/index_sets.hpp>
 #include <pavior/dual/boundary_surface.hpp>
+#include <pavior/dual/detail/index_sets.hpp>
 #include <pavior/dual/reference_mesh.hpp>
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 /// Sums over the corner simplices and samples of the cells of a patch, with their gradient by the free nodes.
 
 #include <pavior/core/execution.hpp>
-#include <pavior/core/parallel_for.hpp>
 #include <pavior/core/index.hpp>
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/smooth/detail/cell_shape.hpp>
 
 #include <Eigen/Core>

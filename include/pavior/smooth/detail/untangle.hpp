@@ -4,8 +4,8 @@
 
 #include <pavior/core/error.hpp>
 #include <pavior/core/execution.hpp>
-#include <pavior/core/parallel_for.hpp>
 #include <pavior/core/index.hpp>
+#include <pavior/core/parallel_for.hpp>
 #include <pavior/core/progress.hpp>
 #include <pavior/smooth/detail/cell_shape.hpp>
 #include <pavior/smooth/detail/patch.hpp>

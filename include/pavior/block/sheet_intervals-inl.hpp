@@ -1,0 +1,44 @@
+#pragma once
+
+#include <pavior/block/detail/block_curves.hpp>
+#include <pavior/block/place_blocks.hpp>
+#include <pavior/block/sheet_intervals.hpp>
+#include <pavior/core/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pavior {
+
+PAVIOR_INLINE std::vector<SheetIntervals> sheet_intervals(const BlockMesh& blocks, const BlockGeometry& geometry,
+                                                          const BlockPlacement& placement, double size) {
+    if (std::isnan(size)) {
+        throw InputError(ErrorCode::bad_option, "the size of hexahedra is not a number");
+    }
+    const detail::BlockCurves curves(blocks, geometry, placement);
+    std::vector<SheetIntervals> sheets(blocks.sheet_count);
+    for (std::size_t e = 0; e < blocks.edges.size(); ++e) {
+        SheetIntervals& sheet = sheets[blocks.sheets[e]];
+        const double length = curves.edge_length(static_cast<Index>(e));
+        sheet.shortest = sheet.edges == 0 ? length : std::min(sheet.shortest, length);
+        sheet.longest = std::max(sheet.longest, length);
+        sheet.mean += length;
+        ++sheet.edges;
+    }
+    for (std::size_t s = 0; s < sheets.size(); ++s) {
+        sheets[s].mean /= static_cast<double>(std::max<std::size_t>(sheets[s].edges, 1));
+        const double wanted = size > 0.0 ? std::round(sheets[s].mean / size) : 2.0;
+        if (!(wanted < 1e9)) {
+            throw InputError(ErrorCode::overflow, "sheet " + std::to_string(s) + " would have 10^9 intervals or more",
+                             {static_cast<std::int64_t>(s)});
+        }
+        sheets[s].intervals = static_cast<std::uint32_t>(std::max(1.0, wanted));
+    }
+    return sheets;
+}
+
+}  // namespace pavior

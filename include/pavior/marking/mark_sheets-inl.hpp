@@ -1,0 +1,136 @@
+#pragma once
+
+#include <pavior/marking/cut.hpp>
+#include <pavior/marking/field.hpp>
+#include <pavior/marking/judge_marking.hpp>
+#include <pavior/marking/mark_sheets.hpp>
+#include <pavior/marking/repair_axis.hpp>
+#include <pavior/marking/repair_corner.hpp>
+#include <pavior/marking/stop_sheet.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace pavior {
+
+namespace detail {
+
+[[nodiscard]] inline double diagonal(std::span<const Vec3> nodes) {
+    Vec3 low = nodes[0];
+    Vec3 high = nodes[0];
+    for (const Vec3& x : nodes) {
+        low = low.cwiseMin(x);
+        high = high.cwiseMax(x);
+    }
+    return (high - low).norm();
+}
+
+/// The curves at which the fronts of a group lie.
+[[nodiscard]] inline std::vector<std::int32_t> curves_of(const SheetGroup& group, std::span<const Front> fronts) {
+    std::vector<std::int32_t> curves;
+    for (const SheetMember& member : group.members) {
+        for (const Index f : member.fronts) {
+            curves.push_back(fronts[f].curve);
+        }
+    }
+    std::sort(curves.begin(), curves.end());
+    curves.erase(std::unique(curves.begin(), curves.end()), curves.end());
+    return curves;
+}
+
+PAVIOR_INLINE SheetMarker::SheetMarker(const ReferenceMesh& mesh, const MarkingOptions& options)
+    : mesh_(mesh),
+      options_(options),
+      size_(diagonal(mesh.nodes)),
+      tolerance_(options.tolerance * size_),
+      topology_(tet_topology(mesh)),
+      boundary_(front_boundary(mesh, topology_)),
+      fronts_(sheet_fronts(mesh, topology_, boundary_, tolerance_)) {}
+
+PAVIOR_INLINE MarkedMesh SheetMarker::mark(Grouping grouping, const std::vector<SheetGroup>& groups,
+                                           Propagation propagation) const {
+    CutMesh cut{mesh_, {}, {}};
+    SheetReport report;
+    report.grouping = grouping;
+    if (!mesh_.layers.empty()) {
+        report.sheets.push_back({SheetKind::given, {}, 0});
+        cut.layer_sheets.assign(mesh_.layers.size(), 0);
+    }
+    for (const SheetGroup& group : groups) {
+        SheetCut sheet = sheet_field(cut.mesh, group, fronts_, boundary_, tolerance_);
+        cut_sheet(cut, sheet, static_cast<Index>(report.sheets.size()), propagation);
+        report.sheets.push_back({group.kind, curves_of(group, fronts_), 0});
+        pavior::report(options_.progress, "sheets",
+                       static_cast<double>(report.sheets.size()) / static_cast<double>(groups.size() + 1));
+    }
+    repair(cut, report, propagation);
+    return {std::move(cut.mesh), std::move(report)};
+}
+
+PAVIOR_INLINE void SheetMarker::repair(CutMesh& cut, SheetReport& report, Propagation propagation) const {
+    CellSnapshot now = cell_snapshot(cut.mesh);
+    const double limit =
+        options_.max_growth * static_cast<double>(std::max<std::size_t>(now.complex.corners.size(), 16));
+    const std::size_t most = 16 * (now.report.violations.size() + 4);
+    while (!now.report.valid() && now.report.violations.size() <= most && report.rounds < options_.max_rounds &&
+           static_cast<double>(now.complex.corners.size()) <= limit) {
+        std::vector<RepairSheet> repairs = repair_axes(cut.mesh, now, size_);
+        if (repairs.empty()) {
+            if (auto corner = repair_corner(cut.mesh, now, tolerance_, size_)) {
+                repairs.push_back(std::move(*corner));
+            }
+        }
+        const std::size_t before = cut.mesh.layers.size();
+        cut_repairs(cut, repairs, propagation, tolerance_, static_cast<Index>(report.sheets.size()));
+        for (const RepairSheet& r : repairs) {
+            report.sheets.push_back({r.kind, {}, 0});
+        }
+        ++report.rounds;
+        pavior::report(options_.progress, "repair", static_cast<double>(report.rounds) / options_.max_rounds);
+        if (cut.mesh.layers.size() == before) {
+            break;
+        }
+        now = cell_snapshot(cut.mesh);
+    }
+    report.layer_sheets = cut.layer_sheets;
+    judge_marking(cut.mesh, now, options_, report);
+}
+
+PAVIOR_INLINE MarkedMesh mark_best(const SheetMarker& marker, Propagation propagation) {
+    const std::vector<SheetGroup> exact = marker.groups(Grouping::exact);
+    MarkedMesh best = marker.mark(Grouping::exact, exact, propagation);
+    best.report.tries = 1;
+    const std::vector<SheetGroup> blended = marker.groups(Grouping::blended);
+    if (blended.size() != exact.size()) {
+        MarkedMesh other = marker.mark(Grouping::blended, blended, propagation);
+        if (better_marking(other.report, best.report)) {
+            best = std::move(other);
+        }
+        best.report.tries = 2;
+    }
+    return best;
+}
+
+PAVIOR_INLINE MarkedMesh mark_everything(const ReferenceMesh& mesh, const MarkingOptions& options) {
+    MarkedMesh out{mesh, {}};
+    const TetTopology topology = tet_topology(mesh);
+    out.reference.layers.clear();
+    for (const Index f : IndexRange(topology.faces.size())) {
+        if (!topology.boundary(f)) {
+            out.reference.layers.push_back(topology.faces[f]);
+        }
+    }
+    out.report.sheets = {{SheetKind::everything, {}, 0}};
+    out.report.layer_sheets.assign(out.reference.layers.size(), 0);
+    judge_marking(out.reference, cell_snapshot(out.reference), options, out.report);
+    return out;
+}
+
+}  // namespace detail
+
+}  // namespace pavior
