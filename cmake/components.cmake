@@ -1,17 +1,33 @@
-# Compiled, optional targets: pavior::math, pavior::io, pavior::cad, pavior::tetra, pavior::imprint and the program.
+# Compiled, optional targets: pavior::compiled, pavior::io, pavior::cad, pavior::glpk, pavior::tetra, pavior::imprint and
+# the program.
 
 # pavior_component(name): the static library pavior_<name> of src/<name>/*.cpp, with the alias pavior::<name>.
 function(pavior_component name)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
-  add_library(pavior_${name} STATIC ${sources})
+  add_library(pavior_${name} STATIC ${sources} ${ARGN})
   add_library(pavior::${name} ALIAS pavior_${name})
   set_target_properties(pavior_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(pavior_${name} PUBLIC pavior PRIVATE $<BUILD_INTERFACE:pavior_warnings>)
+  if(TARGET pavior_compiled AND NOT name STREQUAL compiled)
+    target_link_libraries(pavior_${name} PUBLIC pavior_compiled) # all units of a program agree on the switch
+  endif()
 endfunction()
 
-if(PAVIOR_BUILD_MATH)
-  pavior_component(math)
-  target_compile_definitions(pavior_math PUBLIC PAVIOR_COMPILED_MATH)
+# All bodies that stand in -inl.hpp files, once: one source a header, several of them a translation unit.
+if(PAVIOR_BUILD_COMPILED)
+  file(GLOB_RECURSE bodies RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS
+       ${PROJECT_SOURCE_DIR}/include/pavior/*-inl.hpp)
+  set(units "")
+  foreach(header IN LISTS bodies)
+    string(REGEX REPLACE "^pavior/(.*)-inl\\.hpp$" "compiled/\\1.cpp" unit ${header})
+    file(CONFIGURE OUTPUT ${unit} CONTENT "#include <@header@>\n" @ONLY)
+    list(APPEND units ${CMAKE_CURRENT_BINARY_DIR}/${unit})
+  endforeach()
+  pavior_component(compiled ${units})
+  target_compile_definitions(pavior_compiled PUBLIC PAVIOR_COMPILED)
+  file(GLOB instances src/compiled/*.cpp)
+  set_source_files_properties(${instances} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  set_target_properties(pavior_compiled PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
 endif()
 
 list(PREPEND CMAKE_MODULE_PATH ${PROJECT_SOURCE_DIR}/cmake)
@@ -70,9 +86,6 @@ if(PAVIOR_BUILD_CLI)
   target_link_libraries(pavior_commands PUBLIC pavior_io pavior_cad pavior_glpk pavior_tetra pavior_imprint CLI11::CLI11
                                                nlohmann_json::nlohmann_json
                                         PRIVATE pavior_warnings)
-  if(PAVIOR_BUILD_MATH)
-    target_link_libraries(pavior_commands PUBLIC pavior_math)
-  endif()
   add_executable(pavior_cli src/cli/main.cpp)
   set_target_properties(pavior_cli PROPERTIES OUTPUT_NAME pavior RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
   target_link_libraries(pavior_cli PRIVATE pavior_commands pavior_warnings)

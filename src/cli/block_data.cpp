@@ -1,5 +1,6 @@
 #include "blocked.hpp"
 
+#include <pavior/block/detail/nearest_weights.hpp>
 #include <pavior/block/patch_map.hpp>
 
 #include <algorithm>

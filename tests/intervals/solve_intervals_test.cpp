@@ -1,3 +1,4 @@
+#include <pavior/glpk/solve_program.hpp>
 #include <pavior/intervals/solve_intervals.hpp>
 
 #include "support/catch.hpp"

@@ -124,7 +124,7 @@ template <class DerivedX, class DerivedY>
     prefix template AffineFit<Scalar, N> fit_affine<Scalar, N>(                   \
         AffineMethod, Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>>, \
         Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>>, std::span<const std::size_t>, const FitOptions&);
-#ifdef PAVIOR_COMPILED_MATH
+#ifdef PAVIOR_COMPILED
 PAVIOR_FIT_AFFINE(extern, float, 2)
 PAVIOR_FIT_AFFINE(extern, float, 3)
 PAVIOR_FIT_AFFINE(extern, double, 2)

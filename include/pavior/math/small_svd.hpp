@@ -38,7 +38,7 @@ struct SmallSvd {
 /// Decomposes \p M (R x C, R >= C >= 1) by one-sided Jacobi rotations: singular values are accurate to a few units of
 /// rounding of the largest one, and to their own rounding where the columns are merely scaled badly. Entries should be
 /// of moderate size (scale first); NaN gives NaN. O(R C^2) per sweep, some six sweeps, 60 at most; no heap for fixed
-/// sizes. Compiled once for float and double in pavior::math, otherwise inline.
+/// sizes. Compiled once for float and double in pavior::compiled, otherwise inline.
 template <class Scalar, int R, int C>
 [[nodiscard]] SmallSvd<Scalar, R, C> small_svd(const Eigen::Matrix<Scalar, R, C>& M);
 
@@ -133,7 +133,7 @@ SmallSvd<Scalar, R, C> small_svd(const Eigen::Matrix<Scalar, R, C>& M) {
     apply(Scalar, 2, 2) apply(Scalar, 3, 3) apply(Scalar, 4, 4) apply(Scalar, 4, 2) apply(Scalar, 6, 3)     \
         apply(Scalar, 8, 4) apply(Scalar, 1, 1) apply(Scalar, 4, 1) apply(Scalar, 6, 2) apply(Scalar, 8, 3) \
             apply(Scalar, 5, 2) apply(Scalar, 7, 3) apply(Scalar, 9, 4) apply(Scalar, Eigen::Dynamic, Eigen::Dynamic)
-#ifdef PAVIOR_COMPILED_MATH
+#ifdef PAVIOR_COMPILED
 #define PAVIOR_EXTERN_SVD(Scalar, R, C) \
     extern template SmallSvd<Scalar, R, C> small_svd<Scalar, R, C>(const Eigen::Matrix<Scalar, R, C>&);
 PAVIOR_SMALL_SVD_SIZES(PAVIOR_EXTERN_SVD, float)

@@ -60,7 +60,7 @@ void StreamedQr<Scalar, K>::reduce() {
     used_ = rows_.cols();
 }
 
-#ifdef PAVIOR_COMPILED_MATH
+#ifdef PAVIOR_COMPILED
 extern template class StreamedQr<float, 4>;
 extern template class StreamedQr<float, 6>;
 extern template class StreamedQr<float, 8>;
