@@ -1,6 +1,7 @@
 #include "support/catch.hpp"
 
 #include <pavior/block/block_mesh.hpp>
+#include <pavior/core/error.hpp>
 
 #include <set>
 

@@ -2,6 +2,7 @@
 #include "support/catch.hpp"
 
 #include <pavior/block/block_solid.hpp>
+#include <pavior/marking/faces.hpp>
 
 #include <set>
 #include <string>

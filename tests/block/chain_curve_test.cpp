@@ -1,6 +1,7 @@
 #include "support/catch.hpp"
 
 #include <pavior/block/chain_curve.hpp>
+#include <pavior/core/error.hpp>
 
 using pavior::ChainCurve;
 using pavior::InputError;

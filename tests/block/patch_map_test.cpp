@@ -1,5 +1,6 @@
 #include "support/catch.hpp"
 
+#include <pavior/block/chain_curve.hpp>
 #include <pavior/block/patch_map.hpp>
 
 #include <random>

@@ -2,6 +2,7 @@
 #include "support/catch.hpp"
 
 #include <pavior/block/dualize.hpp>
+#include <pavior/block/place_blocks.hpp>
 #include <pavior/block/refine_blocks.hpp>
 #include <pavior/mesh/quality.hpp>
 #include <pavior/mesh/verify_hexes.hpp>

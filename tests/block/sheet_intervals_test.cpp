@@ -2,6 +2,7 @@
 #include "support/catch.hpp"
 
 #include <pavior/block/dualize.hpp>
+#include <pavior/block/place_blocks.hpp>
 #include <pavior/block/sheet_intervals.hpp>
 
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "support/test_brep.hpp"
 
 #include <pavior/brep/boundary_mesh.hpp>
+#include <pavior/brep/edge_chain.hpp>
 
 using namespace pavior;
 

@@ -1,4 +1,5 @@
 #include <pavior/brep/chord_volume.hpp>
+#include <pavior/core/error.hpp>
 
 #include "support/catch.hpp"
 #include "support/test_brep.hpp"

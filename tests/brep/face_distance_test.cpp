@@ -1,4 +1,5 @@
 #include <pavior/brep/face_distance.hpp>
+#include <pavior/core/error.hpp>
 
 #include "support/catch.hpp"
 #include "support/test_brep.hpp"

@@ -1,4 +1,5 @@
 #include <pavior/brep/snap_to_faces.hpp>
+#include <pavior/core/error.hpp>
 
 #include "support/catch.hpp"
 #include "support/test_brep.hpp"

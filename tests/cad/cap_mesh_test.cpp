@@ -1,3 +1,4 @@
+#include <pavior/brep/edge_chain.hpp>
 #include <pavior/cad/cap_mesh.hpp>
 
 #include "cad/brep_checks.hpp"

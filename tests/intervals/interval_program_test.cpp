@@ -1,5 +1,4 @@
 #include <pavior/glpk/solve_program.hpp>
-#include <pavior/intervals/interval_program-inl.hpp>
 #include <pavior/intervals/interval_program.hpp>
 
 #include "support/catch.hpp"

@@ -2,6 +2,8 @@
 
 #include <pavior/core/error.hpp>
 #include <pavior/io/sweep_problem_file.hpp>
+#include <pavior/mesh/verify_quads.hpp>
+#include <pavior/mesh/verify_report.hpp>
 #include <pavior/sweep/verify_problem.hpp>
 
 #include <cmath>

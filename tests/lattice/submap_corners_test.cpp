@@ -1,3 +1,4 @@
+#include <pavior/core/error.hpp>
 #include <pavior/lattice/submap_corners.hpp>
 
 #include "support/catch.hpp"

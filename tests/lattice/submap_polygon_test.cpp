@@ -1,3 +1,4 @@
+#include <pavior/lattice/grid_laplace.hpp>
 #include <pavior/lattice/submap_polygon.hpp>
 
 #include "support/catch.hpp"

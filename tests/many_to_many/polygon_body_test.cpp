@@ -1,3 +1,5 @@
+#include <pavior/core/error.hpp>
+
 #include "support/catch.hpp"
 #include "support/extruded_cases.hpp"
 

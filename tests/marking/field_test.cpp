@@ -1,8 +1,9 @@
 #include "support/catch.hpp"
 #include "support/tet_meshes.hpp"
 
-#include <pavior/marking/field-inl.hpp>
+#include <pavior/marking/detail/faceted_field.hpp>
 #include <pavior/marking/field.hpp>
+#include <pavior/marking/fit_surface.hpp>
 
 #include <array>
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "support/tet_meshes.hpp"
 
 #include <pavior/marking/field.hpp>
+#include <pavior/marking/fit_surface.hpp>
 #include <pavior/marking/fronts.hpp>
 #include <pavior/marking/groups.hpp>
 

@@ -1,6 +1,7 @@
 #include "support/catch.hpp"
 #include "support/tet_meshes.hpp"
 
+#include <pavior/dual/verify_dual.hpp>
 #include <pavior/marking/mark_sheets.hpp>
 #include <pavior/mesh/verify_tets.hpp>
 

@@ -2,7 +2,6 @@
 #include "support/tet_meshes.hpp"
 
 #include <pavior/marking/mark_sheets.hpp>
-#include <pavior/marking/repair_axis-inl.hpp>
 #include <pavior/marking/repair_axis.hpp>
 
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "support/catch.hpp"
 #include "support/tet_meshes.hpp"
 
+#include <pavior/marking/fit_surface.hpp>
 #include <pavior/marking/mark_sheets.hpp>
-#include <pavior/marking/repair_corner-inl.hpp>
 #include <pavior/marking/repair_corner.hpp>
 
 using namespace pavior;

@@ -1,6 +1,7 @@
 #include "support/catch.hpp"
 #include "support/tet_meshes.hpp"
 
+#include <pavior/marking/cell_snapshot.hpp>
 #include <pavior/marking/repair_sheet.hpp>
 
 using namespace pavior;

@@ -5,8 +5,11 @@
 #include "support/tilted_solids.hpp"
 
 #include <pavior/block/block_solid.hpp>
+#include <pavior/block/dualize.hpp>
 #include <pavior/block/verify_blocks.hpp>
 #include <pavior/dual/features.hpp>
+#include <pavior/dual/verify_dual.hpp>
+#include <pavior/marking/faces.hpp>
 #include <pavior/mesh/verify_hexes.hpp>
 #include <pavior/tetra/tetrahedralize.hpp>
 

@@ -1,6 +1,9 @@
 #include "support/catch.hpp"
 #include "support/tet_meshes.hpp"
 
+#include <pavior/dual/cell_complex.hpp>
+#include <pavior/marking/cell_snapshot.hpp>
+#include <pavior/marking/fit_surface.hpp>
 #include <pavior/marking/mark_sheets.hpp>
 #include <pavior/marking/stop_sheet.hpp>
 #include <pavior/mesh/verify_tets.hpp>

@@ -2,6 +2,7 @@
 #include "support/foreign_meshes.hpp"
 #include "support/shapes.hpp"
 
+#include <pavior/mesh/edge_table.hpp>
 #include <pavior/mesh/eigen_access.hpp>
 #include <pavior/mesh/verify_hexes.hpp>
 

@@ -7,6 +7,7 @@
 #include <pavior/glpk/solve_program.hpp>
 #include <pavior/mesh/quality.hpp>
 #include <pavior/mesh/verify_hexes.hpp>
+#include <pavior/mesh/verify_quads.hpp>
 #include <pavior/one_to_one/cap_order.hpp>
 #include <pavior/one_to_one/intervals.hpp>
 #include <pavior/one_to_one/recognition.hpp>

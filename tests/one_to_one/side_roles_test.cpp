@@ -1,4 +1,3 @@
-#include <pavior/one_to_one/side_roles-inl.hpp>
 #include <pavior/one_to_one/side_roles.hpp>
 
 #include "support/catch.hpp"

@@ -1,4 +1,3 @@
-#include <pavior/one_to_one/sweep_conditions-inl.hpp>
 #include <pavior/one_to_one/sweep_conditions.hpp>
 
 #include "support/catch.hpp"

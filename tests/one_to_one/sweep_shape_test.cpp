@@ -69,7 +69,7 @@ TEST_CASE("Dihedral angles count the material") {
     std::vector<double> angles;
     for (std::size_t i = 2; i < 8; ++i) {
         const OrientedEdge rib = b.face_loops(faces[i].face)[0][1];  // shared with the next side
-        angles.push_back(detail::dihedral_angle(b, faces[i], faces[i == 7 ? 2 : i + 1], rib, 0.5));
+        angles.push_back(dihedral_angle(b, faces[i], faces[i == 7 ? 2 : i + 1], rib, 0.5));
     }
     std::sort(angles.begin(), angles.end());
     CHECK(angles[0] == Approx(90));

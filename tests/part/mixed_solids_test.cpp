@@ -1,3 +1,5 @@
+#include <pavior/glpk/solve_program.hpp>
+#include <pavior/mesh/verify_quads.hpp>
 #include <pavior/part/mixed_solids.hpp>
 
 #include "support/catch.hpp"

@@ -1,5 +1,6 @@
 // Inner nodes of four solids are displaced at random: no hexahedron stays inverted, and the quality comes back.
 
+#include <pavior/mesh/edge_table.hpp>
 #include <pavior/mesh/span_mesh.hpp>
 #include <pavior/mesh/verify_hexes.hpp>
 #include <pavior/smooth/improve_hexes.hpp>

@@ -1,3 +1,4 @@
+#include <pavior/core/error.hpp>
 #include <pavior/smooth/options.hpp>
 
 #include "support/catch.hpp"

@@ -1,3 +1,4 @@
+#include <pavior/glpk/solve_program.hpp>
 #include <pavior/submap/submap_classes.hpp>
 
 #include "support/catch.hpp"
@@ -11,7 +12,7 @@ namespace {
 std::vector<SolidClasses> classify(const TestBrep& b, std::span<const SolidBoundary> solids, double deviation = 60.0) {
     SubmapOptions options;
     options.corners.max_deviation = deviation;
-    return classify_solids(b, solids, options, [&](const IntegerProgram& p) { return solve(p, options.solver); });
+    return classify_solids(b, solids, options, GlpkSolver{});
 }
 
 Error::Ids refused(const TestBrep& b, SolidId solid, std::string& text) {

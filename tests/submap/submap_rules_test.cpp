@@ -1,4 +1,5 @@
 #include <pavior/glpk/solve_program.hpp>
+#include <pavior/lattice/submap_lattice.hpp>
 #include <pavior/submap/submap_rules.hpp>
 
 #include "support/catch.hpp"

@@ -1,3 +1,5 @@
+#include <pavior/lattice/signed_axis.hpp>
+#include <pavior/lattice/submap_lattice.hpp>
 #include <pavior/submap/submap_unknowns.hpp>
 
 #include "support/catch.hpp"

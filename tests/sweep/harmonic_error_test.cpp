@@ -1,6 +1,8 @@
 #include "support/catch.hpp"
 #include "support/swept_grid.hpp"
 
+#include <pavior/mesh/verify_quads.hpp>
+#include <pavior/mesh/verify_report.hpp>
 #include <pavior/sweep/harmonic_error.hpp>
 
 #include <algorithm>

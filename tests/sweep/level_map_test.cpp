@@ -1,7 +1,6 @@
 #include "support/catch.hpp"
 #include "support/swept_grid.hpp"
 
-#include <pavior/sweep/level_map-inl.hpp>
 #include <pavior/sweep/level_map.hpp>
 
 #include <cstring>

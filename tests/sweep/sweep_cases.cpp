@@ -3,6 +3,7 @@
 #include "support/swept_grid.hpp"
 
 #include <pavior/mesh/verify_hexes.hpp>
+#include <pavior/mesh/verify_quads.hpp>
 #include <pavior/sweep/sweep.hpp>
 
 #include <Eigen/Geometry>

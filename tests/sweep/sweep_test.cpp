@@ -6,6 +6,7 @@
 #include <pavior/mesh/eigen_access.hpp>
 #include <pavior/mesh/quality.hpp>
 #include <pavior/mesh/verify_hexes.hpp>
+#include <pavior/mesh/verify_quads.hpp>
 #include <pavior/sweep/sweep.hpp>
 
 #include <algorithm>

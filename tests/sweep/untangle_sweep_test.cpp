@@ -1,8 +1,10 @@
 #include "support/catch.hpp"
 
+#include <pavior/core/large_array.hpp>
 #include <pavior/mesh/boundary_loops.hpp>
 #include <pavior/mesh/span_mesh.hpp>
 #include <pavior/mesh/verify_hexes.hpp>
+#include <pavior/smooth/hexes.hpp>
 #include <pavior/sweep/untangle_sweep.hpp>
 
 #include <cstring>

@@ -35,8 +35,7 @@ PAVIOR_INLINE std::size_t EqualEdges::root(std::size_t i) const {
     return i;
 }
 
-/// Numbers at which the cost of a class of edges is exact; linear in between, and beyond the last.
-[[nodiscard]] inline std::vector<int> cost_breakpoints(int lower, const std::vector<double>& wishes) {
+PAVIOR_INLINE std::vector<int> cost_breakpoints(int lower, const std::vector<double>& wishes) {
     double top = lower + 1.0;
     std::vector<int> result;
     for (const double wish : wishes) {

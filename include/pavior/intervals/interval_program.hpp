@@ -50,6 +50,9 @@ private:
     IntegerProgram program_;
 };
 
+/// Numbers at which the cost of a class of edges is exact; linear in between, and beyond the last.
+[[nodiscard]] PAVIOR_INLINE std::vector<int> cost_breakpoints(int lower, const std::vector<double>& wishes);
+
 }  // namespace detail
 
 }  // namespace pavior

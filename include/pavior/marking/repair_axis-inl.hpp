@@ -110,8 +110,7 @@ inline void add_tube_sheets(const RoundThing& thing, std::vector<RepairSheet>& s
     sheets.push_back(std::move(sheet));
 }
 
-/// Planes that coincide within \p tolerance, a length, where they start become one sheet, the first.
-inline void merge_planes(std::vector<RepairSheet>& sheets, double tolerance) {
+PAVIOR_INLINE void merge_planes(std::vector<RepairSheet>& sheets, double tolerance) {
     const auto same = [&](const RepairSheet& a, const RepairSheet& b) {
         return a.surface.kind == SurfaceKind::plane && b.surface.kind == SurfaceKind::plane &&
                a.surface.axis.cross(b.surface.axis).norm() < 1e-3 &&

@@ -18,6 +18,13 @@ namespace pavior {
 [[nodiscard]] PAVIOR_INLINE std::vector<RepairSheet> repair_axes(const ReferenceMesh& mesh, const CellSnapshot& s,
                                                                  double size);
 
+namespace detail {
+
+/// Planes that coincide within \p tolerance, a length, where they start become one sheet, the first.
+PAVIOR_INLINE void merge_planes(std::vector<RepairSheet>& sheets, double tolerance);
+
+}  // namespace detail
+
 }  // namespace pavior
 
 #ifndef PAVIOR_COMPILED

@@ -17,14 +17,6 @@ namespace pavior {
 
 namespace detail {
 
-/// The tetrahedra of a corner and its chains in cyclic order.
-struct CornerRing {
-    Index node = no_index;
-    std::vector<Index> tets;
-    std::vector<Index> chains;
-    std::vector<Vec3> directions;  ///< unit, in which the chains leave
-};
-
 /// The tetrahedra round a node that hang together with \p first across free faces.
 [[nodiscard]] inline std::vector<Index> corner_tets(const ReferenceMesh& mesh, const CellSnapshot& s, Index node,
                                                     Index first) {
@@ -74,27 +66,6 @@ struct CornerRing {
     return ring;
 }
 
-/// A plane through two chains of a corner and how good it is.
-struct CornerSplit {
-    std::size_t first = 0;
-    std::size_t second = 0;
-    Vec3 normal{0, 0, 0};
-    long passes = 0;       ///< hexahedron vertices on it less twice those close to it
-    double clearance = 0;  ///< sine of the angle to the nearest of the other chains
-    double spread = 0;     ///< mean distance of the hexahedron vertices from it, over the size of the solid
-
-    /// What is equal but for round-off is equal: the choice does not depend on the mesh.
-    [[nodiscard]] bool better_than(const CornerSplit& other) const {
-        if (passes != other.passes) {
-            return passes > other.passes;
-        }
-        if (std::abs(clearance - other.clearance) > 1e-5) {
-            return clearance > other.clearance;
-        }
-        return spread < other.spread - 1e-5;
-    }
-};
-
 /// Normal of the plane through two chains; if these are opposite, that which parts the others best.
 [[nodiscard]] inline Vec3 split_normal(const CornerRing& ring, std::size_t i, std::size_t j) {
     const Vec3 normal = ring.directions[i].cross(ring.directions[j]);
@@ -111,7 +82,7 @@ struct CornerSplit {
     return apart.norm() > 0.1 ? Vec3(apart.normalized()) : Vec3(0, 0, 0);
 }
 
-[[nodiscard]] inline std::optional<CornerSplit> try_split(const CornerRing& ring, std::size_t i, std::size_t j) {
+PAVIOR_INLINE std::optional<CornerSplit> try_split(const CornerRing& ring, std::size_t i, std::size_t j) {
     CornerSplit split{i, j, split_normal(ring, i, j), 0, 1, 0};
     double side = 0;
     for (std::size_t k = 0; k < ring.directions.size(); ++k) {
@@ -202,8 +173,7 @@ inline void count_passes(const ReferenceMesh& mesh, const CellSnapshot& s, const
     return repair;
 }
 
-/// A corner with one or two chains: a plane across the one, or halfway between the two.
-[[nodiscard]] inline std::optional<RepairSheet> cross_sheet(const ReferenceMesh& mesh, const CornerRing& ring) {
+PAVIOR_INLINE std::optional<RepairSheet> cross_sheet(const ReferenceMesh& mesh, const CornerRing& ring) {
     if (ring.directions.empty() || ring.directions.size() > 2) {
         return std::nullopt;
     }

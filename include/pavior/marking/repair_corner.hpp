@@ -19,6 +19,44 @@ namespace pavior {
 [[nodiscard]] PAVIOR_INLINE std::optional<RepairSheet> repair_corner(const ReferenceMesh& mesh, const CellSnapshot& s,
                                                                      double tolerance, double size);
 
+namespace detail {
+
+/// The tetrahedra of a corner and its chains in cyclic order.
+struct CornerRing {
+    Index node = no_index;
+    std::vector<Index> tets;
+    std::vector<Index> chains;
+    std::vector<Vec3> directions;  ///< unit, in which the chains leave
+};
+
+/// A plane through two chains of a corner and how good it is.
+struct CornerSplit {
+    std::size_t first = 0;
+    std::size_t second = 0;
+    Vec3 normal{0, 0, 0};
+    long passes = 0;       ///< hexahedron vertices on it less twice those close to it
+    double clearance = 0;  ///< sine of the angle to the nearest of the other chains
+    double spread = 0;     ///< mean distance of the hexahedron vertices from it, over the size of the solid
+
+    /// What is equal but for round-off is equal: the choice does not depend on the mesh.
+    [[nodiscard]] bool better_than(const CornerSplit& other) const {
+        if (passes != other.passes) {
+            return passes > other.passes;
+        }
+        if (std::abs(clearance - other.clearance) > 1e-5) {
+            return clearance > other.clearance;
+        }
+        return spread < other.spread - 1e-5;
+    }
+};
+
+[[nodiscard]] PAVIOR_INLINE std::optional<CornerSplit> try_split(const CornerRing& ring, std::size_t i, std::size_t j);
+
+/// A corner with one or two chains: a plane across the one, or halfway between the two.
+[[nodiscard]] PAVIOR_INLINE std::optional<RepairSheet> cross_sheet(const ReferenceMesh& mesh, const CornerRing& ring);
+
+}  // namespace detail
+
 }  // namespace pavior
 
 #ifndef PAVIOR_COMPILED

@@ -13,10 +13,7 @@ namespace pavior {
 
 namespace detail {
 
-/// Roles for side faces that all reach from source to target: edges on the source are bottom, edges on the target top,
-/// the chains between them right and left. Faces that do not fit keep `none` somewhere.
-[[nodiscard]] inline std::vector<SideRole> direct_roles(const SolidBoundary& solid, std::size_t source,
-                                                        std::size_t target) {
+PAVIOR_INLINE std::vector<SideRole> direct_roles(const SolidBoundary& solid, std::size_t source, std::size_t target) {
     std::vector<SideRole> roles(solid.half_edges.size(), SideRole::none);
     for (std::size_t face = 0; face < solid.faces.size(); ++face) {
         const SolidBoundary::Face& f = solid.faces[face];
@@ -50,9 +47,8 @@ namespace detail {
     return f.loops.size() == 1 && on_source && on_target;
 }
 
-/// The logical sides of a face with one loop; nothing if its roles do not turn once round, by quarters at corners.
-[[nodiscard]] inline std::optional<LinkingSide> side_from_roles(const SolidBoundary& solid, std::size_t face,
-                                                                const std::vector<SideRole>& roles) {
+PAVIOR_INLINE std::optional<LinkingSide> side_from_roles(const SolidBoundary& solid, std::size_t face,
+                                                         const std::vector<SideRole>& roles) {
     const SolidBoundary::Face& f = solid.faces[face];
     const std::size_t n = f.end - f.begin;
     const auto role = [&](std::size_t i) { return roles[f.begin + i % n]; };

@@ -35,6 +35,15 @@ namespace detail {
 [[nodiscard]] PAVIOR_INLINE std::optional<SweepTopology> find_direct_sweep(const SolidBoundary& solid,
                                                                            std::size_t source, std::size_t target);
 
+/// Roles for side faces that all reach from source to target: edges on the source are bottom, edges on the target top,
+/// the chains between them right and left. Faces that do not fit keep `none` somewhere.
+[[nodiscard]] PAVIOR_INLINE std::vector<SideRole> direct_roles(const SolidBoundary& solid, std::size_t source,
+                                                               std::size_t target);
+
+/// The logical sides of a face with one loop; nothing if its roles do not turn once round, by quarters at corners.
+[[nodiscard]] PAVIOR_INLINE std::optional<LinkingSide> side_from_roles(const SolidBoundary& solid, std::size_t face,
+                                                                       const std::vector<SideRole>& roles);
+
 }  // namespace detail
 
 }  // namespace pavior

@@ -29,8 +29,7 @@ PAVIOR_INLINE std::set<VertexId> face_vertices(const SolidBoundary& solid, std::
     return result;
 }
 
-/// Chains of the face's boundary that are shared with face \p cap.
-[[nodiscard]] inline std::size_t chains_along(const SolidBoundary& solid, std::size_t face, std::size_t cap) {
+PAVIOR_INLINE std::size_t chains_along(const SolidBoundary& solid, std::size_t face, std::size_t cap) {
     std::size_t runs = 0;
     for (const std::size_t first : solid.faces[face].loops) {
         std::size_t inside = 0, starts = 0;

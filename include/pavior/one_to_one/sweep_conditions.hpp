@@ -110,6 +110,13 @@ private:
     return make_refusal(solid, source, target, detail::ObstacleFinder(solid, source, target).find());
 }
 
+namespace detail {
+
+/// Chains of the face's boundary that are shared with face \p cap.
+[[nodiscard]] PAVIOR_INLINE std::size_t chains_along(const SolidBoundary& solid, std::size_t face, std::size_t cap);
+
+}  // namespace detail
+
 }  // namespace pavior
 
 #ifndef PAVIOR_COMPILED

@@ -15,8 +15,8 @@ namespace pavior {
 
 namespace detail {
 
-[[nodiscard]] inline AffineFit<double, 3> fit_levels(const SweepProblem& problem, std::size_t from, std::size_t to,
-                                                     const LevelMapOptions& options) {
+PAVIOR_INLINE AffineFit<double, 3> fit_levels(const SweepProblem& problem, std::size_t from, std::size_t to,
+                                              const LevelMapOptions& options) {
     auto fit = fit_affine(options.method, loop_points(problem, from), loop_points(problem, to), problem.loops.offsets,
                           options.fit);
     if (fit.status != FitStatus::ok) {

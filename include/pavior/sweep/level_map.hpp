@@ -72,6 +72,13 @@ using LoopPoints = Eigen::Map<const Eigen::Matrix<double, 3, Eigen::Dynamic>>;
 [[nodiscard]] PAVIOR_INLINE LevelOperator fold(const LevelMap& map, const Vec3& source_centre,
                                                const Vec3& target_centre);
 
+namespace detail {
+
+[[nodiscard]] PAVIOR_INLINE AffineFit<double, 3> fit_levels(const SweepProblem& problem, std::size_t from,
+                                                            std::size_t to, const LevelMapOptions& options);
+
+}  // namespace detail
+
 }  // namespace pavior
 
 #ifndef PAVIOR_COMPILED
