@@ -75,6 +75,14 @@ if(PAVIOR_BUILD_IMPRINT)
   target_link_libraries(pavior_imprint PRIVATE CGAL::CGAL)
 endif()
 
+if(PAVIOR_BUILD_PART)
+  find_package(nlohmann_json REQUIRED)
+  file(GLOB reports CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/report/*.cpp)
+  pavior_component(part ${reports})
+  target_link_libraries(pavior_part PUBLIC pavior_io pavior_cad pavior_glpk pavior_tetra pavior_imprint
+                                    PRIVATE $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
+endif()
+
 if(PAVIOR_BUILD_CLI)
   find_package(CLI11 REQUIRED)
   find_package(nlohmann_json REQUIRED)
@@ -83,7 +91,7 @@ if(PAVIOR_BUILD_CLI)
   list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/src/cli/main.cpp)
   add_library(pavior_commands STATIC ${sources})
   target_include_directories(pavior_commands PUBLIC src)
-  target_link_libraries(pavior_commands PUBLIC pavior_io pavior_cad pavior_glpk pavior_tetra pavior_imprint CLI11::CLI11
+  target_link_libraries(pavior_commands PUBLIC pavior_part CLI11::CLI11
                                                nlohmann_json::nlohmann_json
                                         PRIVATE pavior_warnings)
   add_executable(pavior_cli src/cli/main.cpp)

@@ -8,7 +8,7 @@ install(DIRECTORY include/pavior DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(TARGETS pavior EXPORT pavior-targets)
 install(EXPORT pavior-targets NAMESPACE pavior:: DESTINATION ${package_dir})
 
-foreach(component compiled io cad glpk tetra imprint)
+foreach(component compiled io cad glpk tetra imprint part)
   if(TARGET pavior_${component})
     install(TARGETS pavior_${component} EXPORT pavior-${component} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
     install(EXPORT pavior-${component} NAMESPACE pavior:: FILE pavior-${component}-targets.cmake

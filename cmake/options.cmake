@@ -5,6 +5,7 @@ option(PAVIOR_BUILD_CAD "CAD model, surface quads (Gmsh)" ${PROJECT_IS_TOP_LEVEL
 option(PAVIOR_BUILD_GLPK "Integer programs (GLPK)" ${PROJECT_IS_TOP_LEVEL})
 option(PAVIOR_BUILD_TETRA "Tetrahedra in closed surfaces (TetGen, CGAL)" ${PROJECT_IS_TOP_LEVEL})
 option(PAVIOR_BUILD_IMPRINT "Curves in a plane cut by each other (CGAL)" ${PROJECT_IS_TOP_LEVEL})
+option(PAVIOR_BUILD_PART "CAD file to mesh in one call (needs IO, CAD, GLPK, TETRA and IMPRINT)" ${PROJECT_IS_TOP_LEVEL})
 option(PAVIOR_BUILD_CLI "The program pavior (needs all of these but COMPILED)" ${PROJECT_IS_TOP_LEVEL})
 option(PAVIOR_BUILD_TESTS "Tests" ${PROJECT_IS_TOP_LEVEL})
 option(PAVIOR_BUILD_EXAMPLES "Examples" ${PROJECT_IS_TOP_LEVEL})
@@ -12,9 +13,12 @@ option(PAVIOR_BUILD_BENCH "Benchmarks" OFF)
 option(PAVIOR_INSTALL "Install rules" ${PROJECT_IS_TOP_LEVEL})
 option(PAVIOR_WARNINGS_AS_ERRORS "Our own CI: warnings on, and every one an error" OFF)
 
-if(PAVIOR_BUILD_CLI AND NOT (PAVIOR_BUILD_IO AND PAVIOR_BUILD_CAD AND PAVIOR_BUILD_GLPK AND PAVIOR_BUILD_TETRA
-                             AND PAVIOR_BUILD_IMPRINT))
-  message(FATAL_ERROR "PAVIOR_BUILD_CLI needs PAVIOR_BUILD_IO, _CAD, _GLPK, _TETRA and _IMPRINT")
+if(PAVIOR_BUILD_PART AND NOT (PAVIOR_BUILD_IO AND PAVIOR_BUILD_CAD AND PAVIOR_BUILD_GLPK AND PAVIOR_BUILD_TETRA
+                              AND PAVIOR_BUILD_IMPRINT))
+  message(FATAL_ERROR "PAVIOR_BUILD_PART needs PAVIOR_BUILD_IO, _CAD, _GLPK, _TETRA and _IMPRINT")
+endif()
+if(PAVIOR_BUILD_CLI AND NOT PAVIOR_BUILD_PART)
+  message(FATAL_ERROR "PAVIOR_BUILD_CLI needs PAVIOR_BUILD_PART")
 endif()
 
 # Flags of our own sources, never of those who use pavior.

@@ -57,6 +57,8 @@ GmshBrep::GmshBrep(GmshBrep&&) noexcept = default;
 GmshBrep& GmshBrep::operator=(GmshBrep&&) noexcept = default;
 GmshBrep::~GmshBrep() = default;
 
+const detail::GmshModel& GmshBrep::gmsh_model() const { return data_->model; }
+
 GmshBrep GmshBrep::load(const std::filesystem::path& file, const CadOptions& options) {
     detail::check_cad_file(file);
     const auto populate = [&] { detail::import_file(file); };

@@ -1,5 +1,6 @@
 #include <pavior/cad/triangulation.hpp>
 
+#include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/core/error.hpp>
 
 #include "gmsh_import.hpp"
@@ -331,6 +332,20 @@ CadTriangulation triangulate_solids(const std::filesystem::path& file, const Tri
     }
     const detail::Hush hush;
     return read_and_mesh(file, options);
+}
+
+CadTriangulation triangulate_solids(const GmshBrep& model, const TriangulationOptions& options) {
+    check_options(options);
+    const detail::Hush hush;
+    return detail::with_gmsh(
+        [&] {
+            const detail::GmshModel::Current current(model.gmsh_model());
+            mesh_model(options);
+            CadTriangulation result = Collector().run();
+            gmsh::model::mesh::clear();
+            return result;
+        },
+        [&](const std::string& message) { throw Error(ErrorCode::cad_failure, message); });
 }
 
 TaggedSurface triangulate(const std::filesystem::path& file, const TriangulationOptions& options) {

@@ -1,15 +1,18 @@
-#include "blocked.hpp"
 #include "check.hpp"
 #include "commands.hpp"
 #include "progress_bar.hpp"
 #include "report_file.hpp"
 
+#include <pavior/block/block_mesh_data.hpp>
+#include <pavior/block/block_solid.hpp>
 #include <pavior/contributions/contributions.hpp>
 #include <pavior/contributions/dual_surfaces.hpp>
 #include <pavior/contributions/regions.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/core/stopwatch.hpp>
 #include <pavior/io/dual_file.hpp>
+#include <pavior/io/mesh_file.hpp>
+#include <pavior/part/block_reference.hpp>
 
 #include <iostream>
 #include <string>
@@ -32,6 +35,16 @@ BlockOptions block_options(const BlockCommand& command, const Progress& progress
         options.refine->size = command.size;
     }
     return options;
+}
+
+FeatureOptions feature_options(const BlockCommand& command) {
+    FeatureOptions features;
+    if (!command.feature_angles.empty()) {
+        features.end_below = command.feature_angles[0];
+        features.corner_above = command.feature_angles[1];
+        features.reversal_above = command.feature_angles[2];
+    }
+    return features;
 }
 
 /// Dual surfaces and regions, to look at: also of a dual that makes no blocks.
@@ -72,20 +85,19 @@ std::vector<std::string> warnings_of(const BlockCommand& command, const SolidBlo
 
 void print(const BlockCommand& command, const SolidBlocks& solid, const MeshCheck& check, double seconds) {
     const BlockReport& blocks = solid.report.blocks;
-    std::cout << command.output << ": " << blocks.blocks << " blocks, " << blocks.nodes() << " block nodes, "
-              << blocks.sheets << " sheets";
+    std::string counts = std::to_string(blocks.blocks) + " blocks, " + std::to_string(blocks.nodes()) +
+                         " block nodes, " + std::to_string(blocks.sheets) + " sheets";
     if (solid.fine) {
-        std::cout << "; " << check.hexahedra << " hexahedra, " << check.nodes << " nodes";
+        counts += "; " + std::to_string(check.hexahedra) + " hexahedra, " + std::to_string(check.nodes) + " nodes";
     }
-    std::cout << "; scaled Jacobian min " << check.quality.scaled_jacobian.min << ", mean "
-              << check.quality.scaled_jacobian.mean << "; " << seconds << " s\n";
+    print_summary(command.output, counts, check, seconds);
 }
 
 /// Writes what may be written and says how it went.
-ExitCode finish(const BlockCommand& command, const BlockInput& input, const SolidBlocks& solid, Json json,
+ExitCode finish(const BlockCommand& command, const BlockReference& input, const SolidBlocks& solid, Json json,
                 double seconds) {
-    const HexMeshData data = block_data(input, solid);
-    const MeshCheck check = check_mesh(data, Execution{command.threads});
+    const HexMeshData data = block_mesh_data(solid, input.surface, input.cad ? "face " : "tag ");
+    const MeshCheck check = check_mesh(data.mesh, Execution{command.threads});
     const std::vector<std::string> warnings = warnings_of(command, solid);
     const bool written = check.valid() || command.keep_invalid;
     if (written) {
@@ -93,17 +105,13 @@ ExitCode finish(const BlockCommand& command, const BlockInput& input, const Soli
     }
     json["output"] = written ? Json(command.output) : Json();
     json["seconds"] = seconds;
-    json["mesh"] = to_json(data, check);
+    json["mesh"] = detail::to_json(data, check);
     json["warnings"] = warnings;
     json["exit_code"] = static_cast<int>(check.valid() ? exit_valid : exit_invalid);
     write_report(command.report, json);
-    for (const std::string& warning : warnings) {
-        std::cerr << "pavior: warning: " << warning << "\n";
-    }
+    print_warnings(warnings);
     if (!check.valid()) {
-        std::cerr << "pavior: the " << (solid.fine ? "mesh is" : "blocks are") << " not valid:\n"
-                  << check.verify.text() << "\n"
-                  << (written ? "written because of --keep-invalid\n" : "nothing was written\n");
+        print_invalid(solid.fine ? "the mesh is" : "the blocks are", check.verify.text(), written);
         return exit_invalid;
     }
     if (!command.quiet) {
@@ -124,10 +132,6 @@ ExitCode finish(const BlockCommand& command, const BlockInput& input, const Soli
 
 }  // namespace
 
-SolidBlocks make_blocks(const BlockCommand& command, const ReferenceMesh& reference, const Progress& progress) {
-    return block_solid(reference, block_options(command, progress));
-}
-
 ExitCode run_block(const BlockCommand& command) {
     if (!can_write_mesh(command.output)) {
         throw FileError(command.output, "unknown mesh format; known are .vtu .vtk .msh .inp");
@@ -136,14 +140,14 @@ ExitCode run_block(const BlockCommand& command) {
         throw InputError(ErrorCode::bad_option, "--mu must lie between 0 and 1/4");
     }
     const Stopwatch watch;
-    BlockInput input;
+    BlockReference input;
     SolidBlocks solid;
     Json json;
     {
         ProgressBar bar(command.quiet);
-        input = read_block_input(command, bar.sink());
-        solid = make_blocks(command, input.reference, bar.sink());
-        json = to_json(input, solid);
+        input = read_block_reference(command.input, command.size, feature_options(command), bar.sink());
+        solid = block_solid(input.mesh, block_options(command, bar.sink()));
+        json = detail::to_json(input, solid);
         if (!command.dual.empty()) {
             json["dual"] = write_dual_file(command, solid);
         }

@@ -1,29 +1,20 @@
 #pragma once
 
-#include <pavior/io/mesh_file.hpp>
-#include <pavior/mesh/quality.hpp>
-#include <pavior/mesh/verify_hexes.hpp>
-
-#include <nlohmann/json.hpp>
+#include "../report/report_json.hpp"
 
 #include <iosfwd>
 
 namespace pavior::cli {
 
-/// Everything that the program says about a mesh.
-struct MeshCheck {
-    HexReport verify;
-    HexQuality quality;
-    std::size_t nodes = 0, hexahedra = 0;
-
-    [[nodiscard]] bool valid() const { return verify.ok() && quality.inverted == 0; }
-};
-
-[[nodiscard]] MeshCheck check_mesh(const HexMeshData& data, Execution execution);
-
 /// Table of counts, conformity and groups, and a histogram a metric.
 void print_check(std::ostream& out, const HexMeshData& data, const MeshCheck& check);
 
-[[nodiscard]] nlohmann::json to_json(const HexMeshData& data, const MeshCheck& check);
+/// "...: 12 hexahedra, 34 nodes; scaled Jacobian min 0.5, mean 0.9; 1.2 s"
+void print_summary(const std::string& file, const std::string& counts, const MeshCheck& check, double seconds);
+
+/// What is wrong with a mesh, and whether it was written all the same.
+void print_invalid(const std::string& what, const std::string& faults, bool written);
+
+void print_warnings(const std::vector<std::string>& warnings);
 
 }  // namespace pavior::cli

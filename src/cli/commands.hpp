@@ -4,6 +4,7 @@
 
 #include <pavior/affine/method.hpp>
 #include <pavior/marking/marking.hpp>
+#include <pavior/part/part_options.hpp>
 #include <pavior/sweep/boundary_error.hpp>
 #include <pavior/sweep/level_map.hpp>
 
@@ -40,7 +41,6 @@ struct BlockCommand {
     Propagation propagation = Propagation::full;
     double mu = 0.1;                     ///< where the dual surfaces are drawn
     std::vector<double> feature_angles;  ///< end below, corner above, reversal above; empty: the default
-    std::vector<int> faces;              ///< of a CAD model, those to take, by tag; empty: all
     std::string dual;
     unsigned threads = 0;  ///< 0: one a core
     std::string report;
@@ -48,14 +48,11 @@ struct BlockCommand {
     bool keep_invalid = false;
 };
 
-/// How solids that touch become hexahedra, in the order in which `pavior mesh` tries. mixed: each by its own method.
-enum class MeshMethod { submap, sweep, multi_sweep, mixed, block };
-
 /// Options of `pavior mesh`.
 struct MeshCommand {
     std::string input, output;
     double size = 0;                   ///< 0: a twelfth of the diagonal of the model
-    std::optional<MeshMethod> method;  ///< unset: each in turn
+    std::optional<PartMethod> method;  ///< unset: each in turn
     double timeout = 60;               ///< seconds a solid; 0: no limit
     bool explain = false;
     unsigned threads = 0;  ///< 0: one a core

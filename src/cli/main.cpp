@@ -114,10 +114,10 @@ void add_mesh(CLI::App& app, MeshCommand& command) {
     app.add_option("-o,--output", command.output, "mesh to write (.vtu .vtk .msh .inp)")->required();
     app.add_option("--size", command.size, "length of mesh edges; default: a twelfth of the model's diagonal")
         ->check(CLI::PositiveNumber);
-    const std::map<std::string, std::optional<MeshMethod>> methods{
-        {"auto", std::nullopt},       {"submap", MeshMethod::submap},
-        {"sweep", MeshMethod::sweep}, {"multi-sweep", MeshMethod::multi_sweep},
-        {"mixed", MeshMethod::mixed}, {"block", MeshMethod::block}};
+    const std::map<std::string, std::optional<PartMethod>> methods{
+        {"auto", std::nullopt},       {"submap", PartMethod::submap},
+        {"sweep", PartMethod::sweep}, {"multi-sweep", PartMethod::multi_sweep},
+        {"mixed", PartMethod::mixed}, {"block", PartMethod::block}};
     add_choice(
         app, "--method", command.method, methods,
         "auto (default): submapping, one-to-one sweep, many-to-many sweep, mixed (touching solids each by "

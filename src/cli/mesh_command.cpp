@@ -1,17 +1,18 @@
 #include "check.hpp"
 #include "commands.hpp"
-#include "grouped.hpp"
-#include "meshed.hpp"
 #include "progress_bar.hpp"
 #include "report_file.hpp"
 
-#include <pavior/brep/touching_solids.hpp>
+#include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/core/stopwatch.hpp>
-#include <pavior/mesh/append_mesh.hpp>
+#include <pavior/io/mesh_file.hpp>
+#include <pavior/part/mesh_file.hpp>
 
-#include <algorithm>
+#include <array>
+#include <cstdio>
 #include <iostream>
+#include <span>
 #include <utility>
 
 namespace pavior::cli {
@@ -20,27 +21,111 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The meshes taken, one after the other.
-HexMeshData joined(const GmshBrep& model, std::vector<MeshDecision>& decisions) {
-    HexMeshData all;
-    for (MeshDecision& decision : decisions) {
-        HexMeshData& part = decision.tries[*decision.taken].data;
-        append_mesh(part.mesh, part.quads, all.mesh, all.quads);
-        all.hex_groups.insert(all.hex_groups.end(), part.hex_groups.begin(), part.hex_groups.end());
-        all.quad_groups.insert(all.quad_groups.end(), part.quad_groups.begin(), part.quad_groups.end());
-        part = {};
-    }
-    all.groups = entity_groups(model, all_solids(model));
-    return all;
+std::string plain(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g", value);
+    return text.data();
 }
 
-Json report_of(const MeshCommand& command, const GmshBrep& model, std::span<const MeshDecision> decisions) {
+/// "refused (0.01 s): not_submappable: ... [faces 3, 4]"
+std::string line_of(const MethodTry& attempt, bool taken) {
+    std::string text(to_string(attempt.method));
+    text.append(": ");
+    if (attempt.outcome == TryOutcome::not_tried) {
+        return text.append(attempt.reason);
+    }
+    if (attempt.has_mesh()) {
+        text.append(attempt.outcome == TryOutcome::mesh ? "valid mesh" : "INVALID mesh");
+        text.append(taken ? ", taken" : ", not taken");
+    } else if (attempt.outcome == TryOutcome::timed_out) {
+        text.append("stopped");
+    } else {
+        text.append(to_string(attempt.outcome));
+    }
+    text.append(" (").append(plain(attempt.seconds)).append(" s)");
+    if (attempt.has_mesh()) {
+        text.append(": ").append(std::to_string(attempt.hexahedra));
+        text.append(" hexahedra, least scaled Jacobian ").append(plain(attempt.min_jacobian));
+    }
+    if (!attempt.reason.empty()) {
+        text.append(attempt.has_mesh() ? "; " : ": ").append(attempt.reason);
+    }
+    for (std::size_t i = 0; i < attempt.faces.size(); ++i) {
+        text.append(i == 0 ? " [faces " : ", ").append(std::to_string(attempt.faces[i]));
+    }
+    return text.append(attempt.faces.empty() ? "" : "]");
+}
+
+/// A text of several lines below a branch.
+void print_lines(std::ostream& out, const std::string& first, const std::string& others, const std::string& text) {
+    std::size_t at = 0;
+    for (bool head = true; at != std::string::npos; head = false) {
+        const std::size_t end = text.find('\n', at);
+        out << (head ? first : others) << text.substr(at, end == std::string::npos ? end : end - at) << "\n";
+        at = end == std::string::npos ? end : end + 1;
+    }
+}
+
+/// "solid 3" or "solids 1, 2".
+std::string solids_text(const GmshBrep& model, std::span<const SolidId> solids) {
+    std::string text = solids.size() == 1 ? "solid " : "solids ";
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+        text.append(i == 0 ? "" : ", ").append(std::to_string(model.tag(3, solids[i].index())));
+    }
+    return text;
+}
+
+void print_tree(std::ostream& out, const GmshBrep& model, const MeshCommand& command,
+                std::span<const PartDecision> decisions) {
+    out << command.input << "\n";
+    for (std::size_t d = 0; d < decisions.size(); ++d) {
+        const PartDecision& decision = decisions[d];
+        const std::string trunk = d + 1 < decisions.size() ? "|  " : "   ";
+        out << (d + 1 < decisions.size() ? "|- " : "`- ") << solids_text(model, decision.solids) << ": "
+            << (decision.taken ? std::string(to_string(decision.tries[*decision.taken].method)) : "not meshable")
+            << "\n";
+        for (std::size_t t = 0; t < decision.tries.size(); ++t) {
+            const MethodTry& attempt = decision.tries[t];
+            const bool last = t + 1 == decision.tries.size();
+            const std::string below = trunk + (last ? "   " : "|  ");
+            print_lines(out, trunk + (last ? "`- " : "|- "), below, line_of(attempt, decision.taken == t));
+            for (std::size_t n = 0; n < attempt.notes.size(); ++n) {
+                const bool end = n + 1 == attempt.notes.size();
+                print_lines(out, below + (end ? "`- " : "|- "), below + (end ? "   " : "|  "), attempt.notes[n]);
+            }
+        }
+    }
+}
+
+Json to_json(const GmshBrep& model, const PartDecision& decision) {
+    Json json{{"solids", Json::array()}, {"out_of_time", decision.out_of_time}, {"tries", Json::array()}};
+    for (const SolidId solid : decision.solids) {
+        json["solids"].push_back(model.tag(3, solid.index()));
+    }
+    json["method"] = decision.taken ? Json(to_string(decision.tries[*decision.taken].method)) : Json();
+    for (const MethodTry& attempt : decision.tries) {
+        Json entry{{"method", to_string(attempt.method)},
+                   {"outcome", to_string(attempt.outcome)},
+                   {"reason", attempt.reason},
+                   {"faces", attempt.faces},
+                   {"seconds", attempt.seconds},
+                   {"notes", attempt.notes},
+                   {"warnings", attempt.warnings},
+                   {"hexahedra", attempt.hexahedra},
+                   {"details", attempt.report.empty() ? Json::object() : Json::parse(attempt.report)}};
+        entry["scaled_jacobian"] = attempt.has_mesh() ? Json(attempt.min_jacobian) : Json();
+        json["tries"].push_back(std::move(entry));
+    }
+    return json;
+}
+
+Json report_of(const MeshCommand& command, const GmshBrep& model, const PartMesh& part) {
     Json json{{"input", command.input}, {"output", Json()}, {"decisions", Json::array()}};
     json["options"] = {{"size", command.size > 0 ? command.size : model.diagonal() / 12},
                        {"method", command.method ? Json(to_string(*command.method)) : Json("auto")},
                        {"timeout", command.timeout}};
     json["warnings"] = Json::array();
-    for (const MeshDecision& decision : decisions) {
+    for (const PartDecision& decision : part.decisions) {
         json["decisions"].push_back(to_json(model, decision));
         if (decision.taken) {
             for (const std::string& warning : decision.tries[*decision.taken].warnings) {
@@ -60,12 +145,11 @@ std::string indented(std::string text) {
 }
 
 /// Why there is no mesh, solid by solid, method by method.
-ExitCode refuse(const MeshCommand& command, const GmshBrep& model, std::span<const MeshDecision> decisions, Json json,
-                double seconds) {
+ExitCode refuse(const MeshCommand& command, const GmshBrep& model, const PartMesh& part, Json json, double seconds) {
     json["seconds"] = seconds;
     json["exit_code"] = static_cast<int>(exit_not_meshable);
     write_report(command.report, json);
-    for (const MeshDecision& decision : decisions) {
+    for (const PartDecision& decision : part.decisions) {
         if (decision.taken) {
             continue;
         }
@@ -81,39 +165,34 @@ ExitCode refuse(const MeshCommand& command, const GmshBrep& model, std::span<con
     return exit_not_meshable;
 }
 
-ExitCode finish(const MeshCommand& command, const GmshBrep& model, std::vector<MeshDecision>& decisions, Json json,
+ExitCode finish(const MeshCommand& command, const GmshBrep& model, const PartMesh& part, Json json,
                 const Stopwatch& watch) {
-    const bool all_valid = std::all_of(decisions.begin(), decisions.end(), [](const auto& d) { return d.valid(); });
-    const HexMeshData data = joined(model, decisions);
-    const MeshCheck check = check_mesh(data, Execution{command.threads});
-    const bool valid = all_valid && check.valid();
-    const bool written = valid || command.keep_invalid;
+    const bool written = part.valid() || command.keep_invalid;
     if (written) {
-        write_mesh(command.output, data);
+        write_mesh(command.output, part.data);
     }
     json["output"] = written ? Json(command.output) : Json();
     json["seconds"] = watch.total();
-    json["mesh"] = to_json(data, check);
-    json["exit_code"] = static_cast<int>(valid ? exit_valid : exit_invalid);
+    json["mesh"] = detail::to_json(part.data, part.check);
+    json["exit_code"] = static_cast<int>(part.valid() ? exit_valid : exit_invalid);
     write_report(command.report, json);
-    for (const Json& warning : json["warnings"]) {
-        std::cerr << "pavior: warning: " << warning.get<std::string>() << "\n";
-    }
-    if (!valid) {
-        std::cerr << "pavior: the mesh is not valid:\n";
-        for (const MeshDecision& decision : decisions) {
+    print_warnings(json["warnings"].get<std::vector<std::string>>());
+    if (!part.valid()) {
+        std::string faults;
+        for (const PartDecision& decision : part.decisions) {
             if (!decision.valid()) {
-                std::cerr << solids_text(model, decision.solids) << ": " << decision.tries[*decision.taken].reason
-                          << "\n";
+                faults += (faults.empty() ? "" : "\n") + solids_text(model, decision.solids) + ": " +
+                          decision.tries[*decision.taken].reason;
             }
         }
-        std::cerr << (written ? "it was written because of --keep-invalid\n" : "nothing was written\n");
+        print_invalid("the mesh is", faults.empty() ? part.check.verify.text() : faults, written);
         return exit_invalid;
     }
     if (!command.quiet) {
-        std::cout << command.output << ": " << check.hexahedra << " hexahedra, " << check.nodes
-                  << " nodes; scaled Jacobian min " << check.quality.scaled_jacobian.min << ", mean "
-                  << check.quality.scaled_jacobian.mean << "; " << watch.total() << " s\n";
+        print_summary(
+            command.output,
+            std::to_string(part.check.hexahedra) + " hexahedra, " + std::to_string(part.check.nodes) + " nodes",
+            part.check, watch.total());
     }
     return exit_valid;
 }
@@ -129,25 +208,23 @@ ExitCode run_mesh(const MeshCommand& command) {
     }
     const Stopwatch watch;
     ProgressBar bar(command.quiet);
-    const Progress progress = bar.sink();
-    report(progress, "reading", 0);
+    PartOptions options;
+    options.size = command.size;
+    options.seconds = command.timeout;
+    options.execution = Execution{command.threads};
+    options.progress = bar.sink();
+    if (command.method) {
+        options.methods = {*command.method};
+    }
+    report(options.progress, "reading", 0);
     const GmshBrep model = GmshBrep::load(command.input);
-    std::vector<MeshDecision> decisions;
-    const std::vector<std::vector<SolidId>> groups = touching_solids(model, all_solids(model));
-    for (const std::vector<SolidId>& solids : groups) {
-        report(progress, solids_text(model, solids),
-               static_cast<double>(decisions.size()) / static_cast<double>(groups.size()));
-        decisions.push_back(decide(model, solids, command));
-    }
-    report(progress, "writing", 1);
+    const PartMesh part = mesh_model(model, options);
     if (command.explain) {
-        print_tree(std::cout, model, command, decisions);
+        print_tree(std::cout, model, command, part.decisions);
     }
-    Json json = report_of(command, model, decisions);
-    if (!std::all_of(decisions.begin(), decisions.end(), [](const auto& d) { return d.taken.has_value(); })) {
-        return refuse(command, model, decisions, std::move(json), watch.total());
-    }
-    return finish(command, model, decisions, std::move(json), watch);
+    Json json = report_of(command, model, part);
+    return part.complete() ? finish(command, model, part, std::move(json), watch)
+                           : refuse(command, model, part, std::move(json), watch.total());
 }
 
 }  // namespace pavior::cli

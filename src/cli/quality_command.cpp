@@ -2,16 +2,18 @@
 #include "commands.hpp"
 #include "report_file.hpp"
 
+#include <pavior/io/mesh_file.hpp>
+
 #include <iostream>
 
 namespace pavior::cli {
 
 ExitCode run_quality(const QualityCommand& command) {
     const HexMeshData data = read_mesh(command.mesh);
-    const MeshCheck check = check_mesh(data, Execution{command.threads});
+    const MeshCheck check = check_mesh(data.mesh, Execution{command.threads});
     std::cout << command.mesh << "\n";
     print_check(std::cout, data, check);
-    nlohmann::json json = to_json(data, check);
+    nlohmann::json json = detail::to_json(data, check);
     json["mesh"] = command.mesh;
     write_report(command.report, json);
     return check.valid() ? exit_valid : exit_invalid;

@@ -3,19 +3,86 @@
 #include "commands.hpp"
 #include "progress_bar.hpp"
 #include "report_file.hpp"
-#include "swept.hpp"
 
+#include <pavior/cad/cap_mesh.hpp>
 #include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/core/stopwatch.hpp>
+#include <pavior/glpk/solve_program.hpp>
+#include <pavior/io/mesh_file.hpp>
+#include <pavior/io/sweep_problem_file.hpp>
+#include <pavior/part/entity_groups.hpp>
+#include <pavior/part/sweep_solids.hpp>
+#include <pavior/sweep/untangle_sweep.hpp>
 
-#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace pavior::cli {
 
 namespace {
 
 using Json = nlohmann::json;
+
+/// A mesh as made, before it is checked.
+struct Swept {
+    HexMeshData data;
+    Json report = Json::object();
+    std::vector<std::string> warnings;
+};
+
+SweepOptions sweep_options(const SweepCommand& command) {
+    SweepOptions options;
+    options.method = command.method;
+    options.strategy = command.strategy;
+    options.correction = command.correction;
+    options.execution = Execution{command.threads};
+    return options;
+}
+
+Swept sweep_problem_file(const SweepCommand& command, const Progress& progress) {
+    const SweepProblem problem = read_sweep_problem(command.input);
+    SweepOptions options = sweep_options(command);
+    options.progress = progress;
+    SweepResult result = sweep(problem, options);
+    Swept swept;
+    swept.report["sweep"] = detail::to_json(result.report);
+    for (const SweepWarning& warning : result.report.warnings) {
+        swept.warnings.emplace_back(to_string(warning.notice));
+    }
+    if (command.smooth) {
+        report(progress, "untangling", 0.9);
+        swept.report["smooth"] = detail::to_json(untangle_sweep(result.mesh, problem.loops, options.execution));
+    }
+    HexMesh& mesh = swept.data.mesh;
+    mesh.nodes.assign(result.mesh.nodes().begin(), result.mesh.nodes().end());
+    mesh.hexes = result.mesh.hexes();
+    return swept;
+}
+
+Swept sweep_cad_file(const SweepCommand& command, const Progress& progress) {
+    report(progress, "reading", 0);
+    const GmshBrep model = GmshBrep::load(command.input);
+    SweepSolidsOptions options;
+    options.intervals.size = command.size > 0 ? command.size : model.diagonal() / 12;
+    options.intervals.edge_size = command.edge_size;
+    options.intervals.face_size = command.face_size;
+    options.intervals.solid_size = command.solid_size;
+    options.intervals.layers = command.layers;
+    options.sweep.solid.sweep = sweep_options(command);
+    options.sweep.solid.smooth = command.smooth;
+    options.sweep.progress = progress;
+    options.source = command.source;
+    options.target = command.target;
+    const std::vector<SolidId> solids = all_solids(model);
+    SweptSolids made = sweep_solids(model, solids, options, GlpkSolver{}, GmshCapMesher{&model});
+    Swept swept;
+    swept.report = detail::to_json(model, made);
+    swept.warnings = std::move(made.warnings);
+    swept.data = grouped(model, solids, made.mesh);
+    return swept;
+}
 
 /// Options that mean nothing for the input at hand are mistakes.
 void check_options(const SweepCommand& command, bool problem) {
@@ -40,7 +107,7 @@ Json options_json(const SweepCommand& command) {
 
 /// Writes the mesh if it may be written.
 ExitCode finish(const SweepCommand& command, Swept& swept, double seconds) {
-    const MeshCheck check = check_mesh(swept.data, Execution{command.threads});
+    const MeshCheck check = check_mesh(swept.data.mesh, Execution{command.threads});
     const bool written = check.valid() || command.keep_invalid;
     if (written) {
         write_mesh(command.output, swept.data);
@@ -50,23 +117,19 @@ ExitCode finish(const SweepCommand& command, Swept& swept, double seconds) {
     json["output"] = written ? Json(command.output) : Json();
     json["options"] = options_json(command);
     json["seconds"] = seconds;
-    json["mesh"] = to_json(swept.data, check);
+    json["mesh"] = detail::to_json(swept.data, check);
     json["warnings"] = swept.warnings;
     json["exit_code"] = static_cast<int>(check.valid() ? exit_valid : exit_invalid);
     write_report(command.report, json);
-    for (const std::string& warning : swept.warnings) {
-        std::cerr << "pavior: warning: " << warning << "\n";
-    }
+    print_warnings(swept.warnings);
     if (!check.valid()) {
-        std::cerr << "pavior: the mesh is not valid:\n"
-                  << check.verify.text() << "\n"
-                  << (written ? "it was written because of --keep-invalid\n" : "nothing was written\n");
+        print_invalid("the mesh is", check.verify.text(), written);
         return exit_invalid;
     }
     if (!command.quiet) {
-        std::cout << command.output << ": " << check.hexahedra << " hexahedra, " << check.nodes
-                  << " nodes; scaled Jacobian min " << check.quality.scaled_jacobian.min << ", mean "
-                  << check.quality.scaled_jacobian.mean << "; " << seconds << " s\n";
+        print_summary(command.output,
+                      std::to_string(check.hexahedra) + " hexahedra, " + std::to_string(check.nodes) + " nodes", check,
+                      seconds);
     }
     return exit_valid;
 }

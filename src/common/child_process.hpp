@@ -13,6 +13,7 @@
 #include <exception>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 
@@ -27,7 +28,7 @@ namespace pavior::detail {
 
 /// What became of a task in a process of its own.
 struct ChildAnswer {
-    enum class End { answered, threw, timed_out, died };
+    enum class End { answered, threw, timed_out, stopped, died };
     End end = End::died;
     std::string bytes;   ///< what the task returned
     std::string reason;  ///< what it threw, or how it died
@@ -115,7 +116,8 @@ class ParentSide {
 public:
     using Clock = std::chrono::steady_clock;
 
-    ParentSide(pid_t id, int descriptor, double seconds) : id_(id), descriptor_(descriptor) {
+    ParentSide(pid_t id, int descriptor, double seconds, std::stop_token stop)
+        : id_(id), descriptor_(descriptor), stop_(std::move(stop)) {
         if (seconds > 0) {
             const std::chrono::duration<double> limit(std::min(seconds, 1e8));
             end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
@@ -150,13 +152,17 @@ private:
     bool receive(void* data, std::size_t bytes) {
         auto* at = static_cast<char*>(data);
         while (bytes > 0) {
+            if (stop_.stop_requested()) {
+                answer_.end = ChildAnswer::End::stopped;
+                return false;
+            }
             if (end_ && Clock::now() > *end_) {
                 answer_.end = ChildAnswer::End::timed_out;
                 return false;
             }
             pollfd wait{descriptor_, POLLIN, 0};
             // Another thread's child may hold the pipe open after this one died: look after it now and then.
-            const int ready = ::poll(&wait, 1, collected_ ? 0 : 100);
+            const int ready = ::poll(&wait, 1, collected_ ? 0 : 20);
             const ssize_t got = ready > 0 ? ::read(descriptor_, at, bytes) : -1;
             if (got > 0) {
                 at += got;
@@ -189,6 +195,7 @@ private:
 
     pid_t id_;
     int descriptor_;
+    std::stop_token stop_;
     std::optional<Clock::time_point> end_;
     ChildAnswer answer_;
     int status_ = 0;
@@ -199,7 +206,9 @@ private:
 /// sees the memory of this process as it was and leaves no trace in it. Safe to call from several threads as far as
 /// \p task needs nothing but memory.
 /// \param seconds  the child is killed after that time; 0: never
-inline ChildAnswer run_in_child(const std::function<std::string()>& task, double seconds) {
+/// \param stop     and when this asks for it, within some 20 ms
+inline ChildAnswer run_in_child(const std::function<std::string()>& task, double seconds,
+                                const std::stop_token& stop = {}) {
     Pipe pipe;
     const pid_t id = pipe.is_open() ? fork() : -1;
     if (id < 0) {
@@ -212,7 +221,7 @@ inline ChildAnswer run_in_child(const std::function<std::string()>& task, double
         ChildSide::run(task, pipe.end(1));
     }
     pipe.close_end(1);
-    return ParentSide(id, pipe.end(0), seconds).listen();
+    return ParentSide(id, pipe.end(0), seconds, stop).listen();
 }
 
 }  // namespace pavior::detail

@@ -18,6 +18,10 @@
 
 namespace pavior {
 
+namespace detail {
+class GmshModel;
+}  // namespace detail
+
 /// How a CAD model is read.
 struct CadOptions {
     /// Intersect the solids with each other, so that touching solids share faces, edges and vertices. Overlapping
@@ -111,6 +115,9 @@ public:
     void face_points(FaceId face, std::span<const Vec2> uv, std::span<Vec3> points) const;
     void edge_points(EdgeId edge, std::span<const double> t, std::span<Vec3> points) const;
     void edge_on_face(EdgeId edge, std::span<const double> t, FaceId face, bool forward, std::span<Vec2> uv) const;
+
+    /// The Gmsh model, for the other parts of the component.
+    [[nodiscard]] const detail::GmshModel& gmsh_model() const;
 
 private:
     struct Data;

@@ -43,6 +43,12 @@ struct CadTriangulation {
 [[nodiscard]] CadTriangulation triangulate_solids(const std::filesystem::path& file,
                                                   const TriangulationOptions& options = {});
 
+class GmshBrep;
+
+/// The same for a model in memory, in this process; option trial_seconds is not heeded. Tags are those of the model.
+/// \throws Error(cad_failure), InputError(bad_option)
+[[nodiscard]] CadTriangulation triangulate_solids(const GmshBrep& model, const TriangulationOptions& options = {});
+
 /// The same for solids that do not touch. \throws Error(cad_failure) if two solids share a face.
 [[nodiscard]] TaggedSurface triangulate(const std::filesystem::path& file, const TriangulationOptions& options = {});
 

@@ -2,43 +2,12 @@
 /// \file
 /// Mesh files: hexahedra with groups, in and out. Formats are VTK's and Gmsh's own writers and readers.
 
-#include <pavior/mesh/span_mesh.hpp>
+#include <pavior/mesh/grouped_mesh.hpp>
 
-#include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace pavior {
-
-/// A named set of cells; cells carry the group's number in HexMeshData::hex_groups or quad_groups.
-struct MeshGroup {
-    int dimension = 3;  ///< 3 for hexahedra, 2 for boundary quads
-    int number = 0;     ///< unique for the dimension, >= 1
-    std::string name;   ///< may be empty
-
-    friend bool operator==(const MeshGroup&, const MeshGroup&) = default;
-};
-
-/// What a mesh file holds: hexahedra, optionally boundary quads, and the group of each.
-struct HexMeshData {
-    HexMesh mesh;
-    std::vector<QuadCorners> quads;         ///< quads of the boundary and of interfaces, may be empty
-    std::vector<std::int32_t> hex_groups;   ///< a group number a hexahedron, or empty
-    std::vector<std::int32_t> quad_groups;  ///< a group number a quad, or empty
-    std::vector<MeshGroup> groups;          ///< names of the numbers in use
-};
-
-/// The name of a group, empty where it has none. O(groups).
-[[nodiscard]] inline std::string group_name(const HexMeshData& data, int dimension, int number) {
-    for (const MeshGroup& group : data.groups) {
-        if (group.dimension == dimension && group.number == number) {
-            return group.name;
-        }
-    }
-    return {};
-}
 
 /// True if write_mesh() knows the extension of \p file: .vtu .vtk .msh .inp (any case).
 [[nodiscard]] bool can_write_mesh(std::string_view file);

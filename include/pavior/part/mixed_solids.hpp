@@ -25,6 +25,7 @@ namespace pavior {
 struct MixedOptions {
     double size = 0;   ///< wished length of mesh edges; must be given
     int min_loop = 4;  ///< intervals of a loop of a cap of a one-to-one sweep, at least
+    LocalSizes sizes;
     Execution execution = sequential;
 };
 
@@ -91,6 +92,9 @@ void add_mixed(const B& b, std::span<const SolidWays> ways, BoundaryMesh given, 
     IntervalOptions wishes;
     wishes.size = options.size;
     wishes.min_loop = options.min_loop;
+    wishes.edge_size = options.sizes.edge;
+    wishes.face_size = options.sizes.face;
+    wishes.solid_size = options.sizes.solid;
     wishes.edge_intervals = given_intervals(b, given);
     const SubmapIntervals numbers = assign_submap_intervals(b, choice.sweeps, submaps, wishes, LevelOptions{}, solver);
     MixedModelOptions how;
@@ -138,7 +142,8 @@ template <brep B, plane_imprinter I, integer_solver Solver, region_mesher M, cap
     sweep.execution = options.execution;
     MixedSolids base;
     for (const std::vector<SolidId>& group : touching_solids(b, many)) {
-        BestMultiSweep swept = best_multi_sweep(b, group, sweep, imprint, solver, region_mesher, out_of_time);
+        BestMultiSweep swept =
+            best_multi_sweep(b, group, sweep, imprint, solver, region_mesher, out_of_time, 0.3, options.sizes);
         if (!swept.mesh) {
             throw no_mesh_error(swept);
         }

@@ -17,12 +17,23 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace pavior {
 
 enum class SolidMethod : std::uint8_t { submap, sweep, multi_sweep };
+
+/// The stable name of \p method: "submap", "sweep", "multi-sweep".
+[[nodiscard]] constexpr std::string_view to_string(SolidMethod method) noexcept {
+    switch (method) {
+        case SolidMethod::submap: return "submap";
+        case SolidMethod::sweep: return "sweep";
+        case SolidMethod::multi_sweep: return "multi-sweep";
+    }
+    return "unknown";
+}
 
 /// What a solid admits by itself.
 struct SolidWays {

@@ -1,4 +1,6 @@
-#include "blocked.hpp"
+#include <pavior/part/block_reference.hpp>
+
+#include "gmsh_kernels.hpp"
 
 #include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/cad/triangulation.hpp>
@@ -11,8 +13,9 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
-namespace pavior::cli {
+namespace pavior {
 
 namespace {
 
@@ -27,14 +30,15 @@ double diagonal(const std::vector<Vec3>& nodes) {
 }
 
 /// Fine hexahedra lie on the triangles: where they are small, these follow the curved faces more closely.
-CadTriangulation triangulate_for(const BlockCommand& command) {
-    CadTriangulation coarse = triangulate_solids(command.input);
-    if (command.size > 0.0) {
+template <class Cad>
+CadTriangulation triangulate_for(const Cad& cad, double wanted) {
+    CadTriangulation coarse = triangulate_solids(cad);
+    if (wanted > 0.0) {
         const double size = diagonal(coarse.surface.mesh.nodes);
         TriangulationOptions options;
-        options.chord = std::max(0.05 * command.size, size / 2000.0);
+        options.chord = std::max(0.05 * wanted, size / 2000.0);
         if (options.chord < size / 200.0) {
-            return triangulate_solids(command.input, options);
+            return triangulate_solids(cad, options);
         }
     }
     return coarse;
@@ -88,47 +92,55 @@ TaggedSurface boundary_of(const TaggedTetMesh& tets) {
 
 }  // namespace
 
-BlockInput read_block_input(const BlockCommand& command, const Progress& progress) {
-    BlockInput input;
+BlockReference detail::GmshReferenceMesher::operator()(SolidId solid, double size,
+                                                       const FeatureOptions& features) const {
+    BlockReference result;
+    Stopwatch watch;
+    std::vector<int> faces;
+    for (const OrientedFace& f : model->solid_faces(solid)) {
+        faces.push_back(model->tag(2, f.face.index()));
+    }
+    result.cad = true;
+    result.surface = part_of(triangulate_for(*model, size).surface, std::move(faces));
+    result.read_seconds = watch.lap();
+    result.mesh = make_reference_mesh(tetrahedralize(result.surface, {}), features);
+    result.tetra_seconds = watch.lap();
+    return result;
+}
+
+BlockReference read_block_reference(const std::filesystem::path& file, double size, const FeatureOptions& features,
+                                    const Progress& progress) {
+    BlockReference result;
+    const std::string name = file.string();
     Stopwatch watch;
     report(progress, "reading", 0.0);
     TaggedTetMesh tets;
-    if (can_read_tet_mesh(command.input)) {
-        tets = read_tet_mesh(command.input);
-        input.surface = boundary_of(tets);
-        input.read_seconds = watch.lap();
+    if (can_read_tet_mesh(name)) {
+        tets = read_tet_mesh(name);
+        result.surface = boundary_of(tets);
+        result.read_seconds = watch.lap();
     } else {
         std::vector<TaggedTriangle> inner_facets;
-        input.cad = can_read_cad(command.input);
-        if (input.cad) {
-            CadTriangulation model = triangulate_for(command);
-            if (command.faces.empty()) {
-                input.surface = std::move(model.surface);
-                inner_facets = std::move(model.inner_facets);
-            } else {
-                input.surface = part_of(model.surface, command.faces);
-            }
-        } else if (can_read_surface(command.input)) {
-            input.surface = read_surface(command.input);
+        result.cad = can_read_cad(file);
+        if (result.cad) {
+            CadTriangulation model = triangulate_for(file, size);
+            result.surface = std::move(model.surface);
+            inner_facets = std::move(model.inner_facets);
+        } else if (can_read_surface(name)) {
+            result.surface = read_surface(name);
         } else {
             throw FileError(
-                command.input,
+                name,
                 "unknown input format; known are .stl .obj .off .ply, .step .stp .iges .igs .brep, .vtk .vtu "
                 ".msh");
         }
-        input.read_seconds = watch.lap();
+        result.read_seconds = watch.lap();
         report(progress, "tetrahedra", 0.1);
-        tets = tetrahedralize(input.surface, inner_facets);
+        tets = tetrahedralize(result.surface, inner_facets);
     }
-    FeatureOptions features;
-    if (!command.feature_angles.empty()) {
-        features.end_below = command.feature_angles[0];
-        features.corner_above = command.feature_angles[1];
-        features.reversal_above = command.feature_angles[2];
-    }
-    input.reference = make_reference_mesh(tets, features);
-    input.tetra_seconds = watch.lap();
-    return input;
+    result.mesh = make_reference_mesh(tets, features);
+    result.tetra_seconds = watch.lap();
+    return result;
 }
 
-}  // namespace pavior::cli
+}  // namespace pavior

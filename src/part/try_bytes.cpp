@@ -1,10 +1,12 @@
-#include "mesh_bytes.hpp"
+#include "try_bytes.hpp"
 
 #include "../common/byte_arrays.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cstdint>
 
-namespace pavior::cli {
+namespace pavior::detail {
 
 using Json = nlohmann::json;
 
@@ -19,12 +21,12 @@ std::string to_bytes(const MethodTry& result) {
               {"hexahedra", result.hexahedra},
               {"warnings", result.warnings},
               {"notes", result.notes},
-              {"details", result.details},
+              {"report", result.report},
               {"groups", Json::array()}};
     for (const MeshGroup& group : data.groups) {
         json["groups"].push_back({group.dimension, group.number, group.name});
     }
-    detail::ByteWriter writer;
+    ByteWriter writer;
     writer.add(Json::to_cbor(json));
     writer.add(data.mesh.nodes);
     writer.add(data.mesh.hexes);
@@ -35,13 +37,13 @@ std::string to_bytes(const MethodTry& result) {
 }
 
 MethodTry try_from_bytes(const std::string& bytes) {
-    detail::ByteReader reader(bytes);
+    ByteReader reader(bytes);
     std::vector<std::uint8_t> head;
     reader.get(head);
     const Json json = Json::from_cbor(head);
     MethodTry result;
-    result.method = static_cast<MeshMethod>(json["method"].get<int>());
-    result.outcome = static_cast<MethodTry::Outcome>(json["outcome"].get<int>());
+    result.method = static_cast<PartMethod>(json["method"].get<int>());
+    result.outcome = static_cast<TryOutcome>(json["outcome"].get<int>());
     result.reason = json["reason"];
     result.faces = json["faces"].get<std::vector<int>>();
     result.seconds = json["seconds"];
@@ -49,7 +51,7 @@ MethodTry try_from_bytes(const std::string& bytes) {
     result.hexahedra = json["hexahedra"];
     result.warnings = json["warnings"].get<std::vector<std::string>>();
     result.notes = json["notes"].get<std::vector<std::string>>();
-    result.details = json["details"];
+    result.report = json["report"];
     HexMeshData& data = result.data;
     for (const Json& group : json["groups"]) {
         data.groups.push_back({group[0].get<int>(), group[1].get<int>(), group[2].get<std::string>()});
@@ -62,4 +64,4 @@ MethodTry try_from_bytes(const std::string& bytes) {
     return result;
 }
 
-}  // namespace pavior::cli
+}  // namespace pavior::detail

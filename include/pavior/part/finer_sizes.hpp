@@ -1,4 +1,6 @@
 #pragma once
+/// \file
+/// Another try with smaller edges where a face between few nodes has no quads.
 
 #include <pavior/core/error.hpp>
 
@@ -6,16 +8,17 @@
 #include <string>
 #include <vector>
 
-namespace pavior::cli {
+namespace pavior::detail {
 
 /// attempt(size, min_loop), and again with smaller sizes and longer loops where a cap between very few nodes admits no
 /// quads that are not folded: a few times, and the user is told.
 template <class Attempt>
-[[nodiscard]] auto with_finer_sizes(double size, std::vector<std::string>& warnings, Attempt&& attempt) {
+void with_finer_sizes(double size, std::vector<std::string>& warnings, Attempt&& attempt) {
     constexpr int tries = 8;
     for (int i = 1;; ++i) {
         try {
-            return attempt(size, i == 1 ? 4 : 8);
+            attempt(size, i == 1 ? 4 : 8);
+            return;
         } catch (const Error& error) {
             if (error.code() != ErrorCode::cad_failure || i == tries) {
                 throw;
@@ -28,4 +31,4 @@ template <class Attempt>
     }
 }
 
-}  // namespace pavior::cli
+}  // namespace pavior::detail

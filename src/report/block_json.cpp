@@ -1,7 +1,9 @@
-#include "blocked.hpp"
-#include "swept.hpp"
+#include "report_json.hpp"
 
-namespace pavior::cli {
+#include <pavior/block/block_solid.hpp>
+#include <pavior/part/kernels.hpp>
+
+namespace pavior::detail {
 
 namespace {
 
@@ -65,11 +67,11 @@ Json refinement_json(const RefinedBlocks& fine) {
 
 }  // namespace
 
-Json to_json(const BlockInput& input, const SolidBlocks& solid) {
+Json to_json(const BlockReference& input, const SolidBlocks& solid) {
     const BlockSolidReport& report = solid.report;
     Json json{{"status", to_string(report.status)}, {"marking", marking_json(report.marking)}};
-    json["reference"] = {{"nodes", input.reference.nodes.size()},
-                         {"tetrahedra", input.reference.tets.size()},
+    json["reference"] = {{"nodes", input.mesh.nodes.size()},
+                         {"tetrahedra", input.mesh.tets.size()},
                          {"nodes_cut", solid.reference.nodes.size()},
                          {"tetrahedra_cut", solid.reference.tets.size()},
                          {"layer_faces", solid.reference.layers.size()}};
@@ -85,4 +87,4 @@ Json to_json(const BlockInput& input, const SolidBlocks& solid) {
     return json;
 }
 
-}  // namespace pavior::cli
+}  // namespace pavior::detail

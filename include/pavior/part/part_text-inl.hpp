@@ -1,0 +1,78 @@
+#pragma once
+
+#include <pavior/part/part_text.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace pavior {
+
+namespace detail {
+
+[[nodiscard]] inline std::string text_of(const Vec3& x) {
+    const Vec3 d = x + Vec3::Zero();  // no -0
+    std::ostringstream text;
+    text << "(" << d[0] << ", " << d[1] << ", " << d[2] << ")";
+    return text.str();
+}
+
+}  // namespace detail
+
+PAVIOR_INLINE std::string text_of(const SweepPath& path, const std::vector<int>& edges) {
+    if (path.axis) {
+        return "round the axis through " + detail::text_of(path.axis->origin) + " along " +
+               detail::text_of(path.axis->direction);
+    }
+    std::string text;
+    for (const int tag : edges) {
+        text += (text.empty() ? "parallel to edges " : ", ") + std::to_string(tag);
+    }
+    return text.empty() ? "along " + detail::text_of(path.direction) : text;
+}
+
+namespace detail {
+
+PAVIOR_INLINE std::string note_of(const SubmapSolidReport& solid) {
+    std::ostringstream note;
+    note << "box of the lattice " << solid.high[0] - solid.low[0] << " x " << solid.high[1] - solid.low[1] << " x "
+         << solid.high[2] - solid.low[2] << ", angles within " << solid.deviation << " degrees of their class";
+    return note.str();
+}
+
+PAVIOR_INLINE std::string note_of(const MultiSweepAttempt& attempt, const std::vector<int>& edges) {
+    std::ostringstream text;
+    text << pavior::text_of(attempt.path, edges) << ", merging within " << attempt.merge << " sizes, chords within "
+         << attempt.chord << ": " << (attempt.error.empty() ? "least scaled Jacobian " : attempt.error);
+    if (attempt.error.empty()) {
+        text << attempt.quality << ", boundary nodes within " << attempt.face_distance << " of their faces";
+    }
+    return text.str();
+}
+
+PAVIOR_INLINE void require_blocks(const SolidBlocks& blocks) {
+    if (blocks.report.dual.valid()) {
+        return;
+    }
+    const auto& violations = blocks.report.dual.violations;
+    std::ostringstream text;
+    text << "the layers make no blocks, " << violations.size() << " conditions are violated";
+    if (!violations.empty()) {
+        text << ", the first: " << describe(violations.front());
+    }
+    throw UnmeshableError(ErrorCode::invalid_dual, text.str());
+}
+
+PAVIOR_INLINE void refuse(MethodTry& result, const Error& error) {
+    result.outcome = TryOutcome::refused;
+    result.reason = error.what();
+    const ErrorCode code = error.code();
+    if (code == ErrorCode::not_sweepable || code == ErrorCode::not_submappable || code == ErrorCode::cad_failure) {
+        result.faces.assign(error.ids().begin(), error.ids().end());
+        std::sort(result.faces.begin(), result.faces.end());
+        result.faces.erase(std::unique(result.faces.begin(), result.faces.end()), result.faces.end());
+    }
+}
+
+}  // namespace detail
+
+}  // namespace pavior

@@ -1,0 +1,158 @@
+#include "report_json.hpp"
+
+#include <pavior/cad/gmsh_brep.hpp>
+#include <pavior/many_to_many/multi_sweep_model.hpp>
+#include <pavior/part/mixed_solids.hpp>
+#include <pavior/part/sweep_solids.hpp>
+#include <pavior/submap/submap_model.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace pavior::detail {
+
+using Json = nlohmann::json;
+
+Json to_json(const SweepReport& report) {
+    Json json{{"layers", report.layers},
+              {"loops", report.loops},
+              {"loop_nodes", report.loop_nodes},
+              {"seconds", report.verify_seconds + report.fit_seconds + report.prepare_seconds + report.nodes_seconds}};
+    double worst = 0;
+    for (const LevelResidual& residual : report.residuals) {
+        worst = std::max(worst, residual.max);
+    }
+    json["max_residual"] = worst;
+    json["warnings"] = Json::array();
+    for (const SweepWarning& warning : report.warnings) {
+        json["warnings"].push_back({{"notice", to_string(warning.notice)}, {"ids", warning.ids}});
+    }
+    return json;
+}
+
+Json to_json(const SmoothReport& report) {
+    return {{"status", to_string(report.status)},
+            {"inverted_before", report.inverted_before},
+            {"inverted_after", report.inverted_after},
+            {"inverted_ids", report.inverted_ids},
+            {"moved_nodes", report.moved_nodes}};
+}
+
+Json to_json(const GmshBrep& model, const SweptSolids& swept) {
+    const ModelMesh& result = swept.mesh;
+    const IntervalAssignment& intervals = swept.intervals;
+    Json json;
+    json["intervals"] = {{"mean_ratio", intervals.mean_ratio},
+                         {"worst_ratio", intervals.worst_ratio},
+                         {"optimal", intervals.optimal},
+                         {"angles_kept", intervals.angles_kept}};
+    json["solids"] = Json::array();
+    for (const SolidReport& solid : result.solids) {
+        Json entry{{"solid", model.tag(3, solid.solid.index())},
+                   {"name", model.solid_name(solid.solid)},
+                   {"source", model.tag(2, solid.source.index())},
+                   {"target", model.tag(2, solid.target.index())},
+                   {"layers", solid.layers},
+                   {"first_hex", solid.first_hex},
+                   {"hexahedra", solid.hex_count},
+                   {"cad_volume", model.solid_volume(solid.solid)},
+                   {"sweep", to_json(solid.sweep)},
+                   {"smooth", to_json(solid.smooth)}};
+        if (solid.target_projection) {
+            const TargetReport& target = *solid.target_projection;
+            entry["target_projection"] = {{"residual", target.residual},
+                                          {"folded_by_map", target.folded_by_map},
+                                          {"folded", target.folded},
+                                          {"smooth", to_json(target.smooth)}};
+        }
+        json["solids"].push_back(std::move(entry));
+    }
+    json["linking_sides"] = Json::array();
+    for (const LinkingFaceReport& side : result.sides) {
+        json["linking_sides"].push_back({{"face", model.tag(2, side.face.index())},
+                                         {"way", to_string(side.way)},
+                                         {"folded_by_interpolation", side.folded_parameter},
+                                         {"folded", side.folded}});
+    }
+    return json;
+}
+
+Json to_json(const GmshBrep& model, const SubmappedMesh& mesh) {
+    Json json{{"solids", Json::array()}};
+    for (const SubmapSolidReport& solid : mesh.solids) {
+        json["solids"].push_back({{"solid", model.tag(3, solid.solid.index())},
+                                  {"hexahedra", solid.hex_count},
+                                  {"low", solid.low},
+                                  {"high", solid.high},
+                                  {"deviation_degrees", solid.deviation},
+                                  {"smooth", to_json(solid.smooth)}});
+    }
+    return json;
+}
+
+Json to_json(const GmshBrep& model, const MixedSolids& mesh) {
+    Json json{{"solids", Json::array()}};
+    for (const auto& [solid, method] : mesh.methods) {
+        json["solids"].push_back({{"solid", model.tag(3, solid.index())}, {"method", to_string(method)}});
+    }
+    return json;
+}
+
+namespace {
+
+Json to_json(const MultiSweepReport& report) {
+    return {{"merge", report.merge},
+            {"least_merge", report.least_merge},
+            {"cells", report.cells},
+            {"mapped_cells", report.mapped_cells},
+            {"refined_cells", report.refined_cells},
+            {"levels", report.levels},
+            {"worst_plane_ratio", report.worst_plane_ratio},
+            {"worst_layer_ratio", report.worst_layer_ratio},
+            {"optimal", report.optimal},
+            {"smooth", detail::to_json(report.smooth)}};
+}
+
+std::vector<int> tags_of(const GmshBrep& model, const EdgeChain& ribs) {
+    std::vector<int> tags;
+    for (const OrientedEdge& use : ribs) {
+        tags.push_back(model.tag(1, use.edge.index()));
+    }
+    return tags;
+}
+
+/// Adds what says where to sweep: a direction, an axis, or edges.
+void add_path(const GmshBrep& model, Json& json, const SweepPath& path) {
+    const auto list = [](const Vec3& x) {
+        const Vec3 d = x + Vec3::Zero();  // no -0
+        return Json{d[0], d[1], d[2]};
+    };
+    const bool straight = !path.axis && path.ribs.empty();
+    json["direction"] = straight ? list(path.direction) : Json();
+    json["axis"] =
+        path.axis ? Json{{"origin", list(path.axis->origin)}, {"direction", list(path.axis->direction)}} : Json();
+    json["edges"] = path.ribs.empty() ? Json() : Json(tags_of(model, path.ribs));
+}
+
+}  // namespace
+
+Json to_json(const GmshBrep& model, const BestMultiSweep& best) {
+    Json json{{"attempts", Json::array()}};
+    for (const MultiSweepAttempt& attempt : best.attempts) {
+        Json entry{{"merge", attempt.merge}, {"chord", attempt.chord}};
+        add_path(model, entry, attempt.path);
+        entry["scaled_jacobian"] = attempt.error.empty() ? Json(attempt.quality) : Json();
+        entry["face_distance"] = attempt.error.empty() ? Json(attempt.face_distance) : Json();
+        entry["error"] = attempt.error;
+        entry["faces"] = attempt.tags;
+        json["attempts"].push_back(std::move(entry));
+    }
+    if (best.mesh) {
+        add_path(model, json, best.mesh->path);
+        json["report"] = to_json(best.mesh->report);
+    }
+    return json;
+}
+
+}  // namespace pavior::detail

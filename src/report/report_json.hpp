@@ -1,0 +1,53 @@
+#pragma once
+// Reports of the library as JSON: internal to pavior::part and the program.
+
+#include <pavior/brep/brep.hpp>
+#include <pavior/mesh/grouped_mesh.hpp>
+#include <pavior/mesh/mesh_check.hpp>
+#include <pavior/smooth/report.hpp>
+#include <pavior/sweep/report.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+namespace pavior {
+
+struct SolidBlocks;
+struct BlockReference;
+struct SweptSolids;
+struct SubmappedMesh;
+struct BestMultiSweep;
+struct MixedSolids;
+class GmshBrep;
+
+namespace detail {
+
+[[nodiscard]] nlohmann::json to_json(const SmoothReport& report);
+[[nodiscard]] nlohmann::json to_json(const SweepReport& report);
+/// Counts, faults, quality, groups.
+[[nodiscard]] nlohmann::json to_json(const HexMeshData& data, const MeshCheck& check);
+/// Counts, sheets, violations and times of the steps.
+[[nodiscard]] nlohmann::json to_json(const BlockReference& input, const SolidBlocks& solid);
+[[nodiscard]] nlohmann::json to_json(const GmshBrep& model, const SweptSolids& swept);
+[[nodiscard]] nlohmann::json to_json(const GmshBrep& model, const SubmappedMesh& mesh);
+[[nodiscard]] nlohmann::json to_json(const GmshBrep& model, const BestMultiSweep& best);
+[[nodiscard]] nlohmann::json to_json(const GmshBrep& model, const MixedSolids& mesh);
+
+/// Number of cells of each group {dimension, number}.
+[[nodiscard]] std::map<std::pair<int, int>, std::size_t> group_sizes(const HexMeshData& data);
+
+struct NamedMetric {
+    const char* title;
+    const char* key;
+    const Statistics* statistics;
+};
+/// The measures of quality with their names in reports and in tables.
+[[nodiscard]] std::array<NamedMetric, 3> metrics(const HexQuality& quality);
+
+}  // namespace detail
+
+}  // namespace pavior
