@@ -39,7 +39,7 @@ public:
           cells_(std::move(cells)),
           free_count_(free_count),
           simplices_(static_cast<std::size_t>(corners + samples)),
-          execution_(cells_.size() < 4 * chunk ? sequential : execution) {
+          execution_{cells_.size() < 4 * chunk ? 1 : execution.threads, execution.stop} {
         find_active();
         find_incidence();
         local_.resize(D, static_cast<Eigen::Index>(cells_.size()) * corners);

@@ -32,7 +32,7 @@ void for_each_patch(const Execution& execution, const std::vector<Patch<D>>& pat
     parallel_for(execution, std::min<std::size_t>(thread_count(execution), small.size()), 1,
                  [&](std::size_t, std::size_t) {
                      for (std::size_t at = next++; at < small.size(); at = next++) {
-                         body(small[at], sequential);
+                         body(small[at], Execution{1, execution.stop});
                      }
                  });
 }

@@ -35,7 +35,8 @@ inline constexpr double inverted_tolerance = 1e-12;
 template <class Model>
 [[nodiscard]] std::vector<double> scan_quality(const Model& model, std::size_t cells, const Execution& execution) {
     std::vector<double> quality(cells);
-    parallel_for(model.concurrent() ? execution : sequential, cells, 4096, [&](std::size_t begin, std::size_t end) {
+    const Execution allowed{model.concurrent() ? execution.threads : 1, execution.stop};
+    parallel_for(allowed, cells, 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t c = begin; c < end; ++c) {
             quality[c] = model.quality(static_cast<Index>(c));
         }
