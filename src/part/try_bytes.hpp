@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pavior/part/method_try.hpp>
+#include <pavior/part/part_mesh.hpp>
 
 #include <string>
 

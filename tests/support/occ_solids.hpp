@@ -28,13 +28,4 @@ inline void share_faces(const gmsh::vectorpair& solids) {
     occ::synchronize();
 }
 
-template <brep B>
-std::vector<SolidId> all_solids(const B& model) {
-    std::vector<SolidId> solids;
-    for (std::size_t s = 0; s < model.solid_count(); ++s) {
-        solids.push_back(SolidId{static_cast<std::int32_t>(s)});
-    }
-    return solids;
-}
-
 }  // namespace pavior::test

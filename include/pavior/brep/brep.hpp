@@ -8,6 +8,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -75,5 +76,15 @@ concept brep = requires(const B& b, VertexId v, EdgeId e, FaceId f, SolidId s, d
     { b.face_period(f) } -> std::convertible_to<std::array<double, 2>>;
     { b.tag(2, f.index()) } -> std::convertible_to<int>;
 };
+
+/// All solids of a model.
+template <brep B>
+[[nodiscard]] std::vector<SolidId> all_solids(const B& b) {
+    std::vector<SolidId> solids;
+    for (std::int32_t s = 0; s < static_cast<std::int32_t>(b.solid_count()); ++s) {
+        solids.push_back(SolidId{s});
+    }
+    return solids;
+}
 
 }  // namespace pavior

@@ -3,7 +3,7 @@
 /// Which methods are tried on solids that hang together, and which mesh is taken. There is no other place that decides.
 
 #include <pavior/core/compiled.hpp>
-#include <pavior/part/method_try.hpp>
+#include <pavior/part/part_mesh.hpp>
 #include <pavior/part/part_options.hpp>
 
 #include <functional>

@@ -4,8 +4,8 @@
 
 #include <pavior/brep/chord_volume.hpp>
 #include <pavior/mesh/mesh_check.hpp>
-#include <pavior/part/method_try.hpp>
 #include <pavior/part/model_extras.hpp>
+#include <pavior/part/part_mesh.hpp>
 
 #include <cmath>
 #include <cstddef>

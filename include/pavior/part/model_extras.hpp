@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace pavior {
 
@@ -88,16 +87,6 @@ template <brep B>
         return std::string(b.solid_name(solid));
     }
     return {};
-}
-
-/// All solids of a model.
-template <brep B>
-[[nodiscard]] std::vector<SolidId> all_solids(const B& b) {
-    std::vector<SolidId> solids;
-    for (std::int32_t s = 0; s < static_cast<std::int32_t>(b.solid_count()); ++s) {
-        solids.push_back(SolidId{s});
-    }
-    return solids;
 }
 
 }  // namespace pavior

@@ -44,7 +44,7 @@ struct PartOptions {
     double sufficient = 0.2;
     double seconds = 60;  ///< limit for each solid; 0: none. A method that others follow may use half of what is left
     Execution execution = sequential;  ///< its stop token ends the call by Stopped
-    Progress progress = {};  ///< never runs backwards
+    Progress progress = {};            ///< never runs backwards
 
     [[nodiscard]] bool local_sizes() const {
         return !edge_size.empty() || !face_size.empty() || !solid_size.empty() || !named_size.empty();

@@ -8,7 +8,7 @@
 #include <pavior/one_to_one/intervals.hpp>
 #include <pavior/one_to_one/recognition.hpp>
 #include <pavior/one_to_one/sweep_model.hpp>
-#include <pavior/part/finer_sizes.hpp>
+#include <pavior/part/detail/finer_sizes.hpp>
 
 #include <algorithm>
 #include <cstddef>

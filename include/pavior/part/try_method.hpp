@@ -7,13 +7,13 @@
 #include <pavior/core/stopwatch.hpp>
 #include <pavior/many_to_many/multi_sweep_model.hpp>
 #include <pavior/part/block_model.hpp>
+#include <pavior/part/detail/finer_sizes.hpp>
+#include <pavior/part/detail/part_text.hpp>
 #include <pavior/part/entity_groups.hpp>
-#include <pavior/part/finer_sizes.hpp>
 #include <pavior/part/judge_mesh.hpp>
 #include <pavior/part/kernels.hpp>
-#include <pavior/part/method_try.hpp>
 #include <pavior/part/mixed_solids.hpp>
-#include <pavior/part/part_text.hpp>
+#include <pavior/part/part_mesh.hpp>
 #include <pavior/part/plane_guide.hpp>
 #include <pavior/part/sweep_solids.hpp>
 #include <pavior/smooth/improve_hexes.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pavior/part/part_text.hpp>
+#include <pavior/part/detail/part_text.hpp>
 
 #include <algorithm>
 #include <sstream>

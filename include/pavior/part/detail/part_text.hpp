@@ -6,7 +6,7 @@
 #include <pavior/core/compiled.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/many_to_many/multi_sweep_model.hpp>
-#include <pavior/part/method_try.hpp>
+#include <pavior/part/part_mesh.hpp>
 #include <pavior/submap/submap_model.hpp>
 
 #include <string>
@@ -34,5 +34,5 @@ PAVIOR_INLINE void refuse(MethodTry& result, const Error& error);
 }  // namespace pavior
 
 #ifndef PAVIOR_COMPILED
-#include <pavior/part/part_text-inl.hpp>
+#include <pavior/part/detail/part_text-inl.hpp>
 #endif

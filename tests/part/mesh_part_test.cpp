@@ -1,0 +1,163 @@
+#include <pavior/part/mesh_part.hpp>
+
+#include "support/catch.hpp"
+#include "support/grid_cap.hpp"
+#include "support/test_brep.hpp"
+
+#include <pavior/cad/region_quads.hpp>
+#include <pavior/glpk/solve_program.hpp>
+#include <pavior/imprint/imprint.hpp>
+#include <pavior/part/detail/finer_sizes.hpp>
+#include <pavior/part/detail/part_text.hpp>
+
+#include <stop_token>
+
+using namespace pavior;
+using namespace pavior::test;
+
+namespace {
+
+/// Kernels for a model that is no CAD file; there are no tetrahedra.
+auto kernels(const TestBrep& b) {
+    const auto no_tetrahedra = [](SolidId, double, const FeatureOptions&) -> BlockReference {
+        throw UnmeshableError(ErrorCode::tetrahedra_failed, "no tetrahedra here");
+    };
+    return Kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, GridCap<TestBrep>{&b}, no_tetrahedra};
+}
+
+PartOptions with_size(double size) {
+    PartOptions options;
+    options.size = size;
+    return options;
+}
+
+}  // namespace
+
+TEST_CASE("Solids of any model are meshed, those that touch together, by the method that fits") {
+    TestBrep b;
+    add_prism(b, l_shape(), 0, 1);
+    const std::vector<SolidId> row = add_box_row(b, {10, 11, 13});
+    const PartMesh part = mesh_part(b, with_size(0.5), kernels(b));
+    REQUIRE(part.valid());
+    REQUIRE(part.decisions.size() == 2);
+    CHECK(part.decisions[1].solids == row);
+    CHECK(part.decisions[0].tries[*part.decisions[0].taken].method == PartMethod::submap);
+    CHECK(part.check.verify.volume == Approx(3 + part.check.verify.volume - 3).epsilon(1e-12));
+    CHECK(part.data.hex_groups.size() == part.check.hexahedra);
+    CHECK(part.data.quad_groups.size() == part.data.quads.size());
+    std::set<int> solids(part.data.hex_groups.begin(), part.data.hex_groups.end());
+    CHECK(solids.size() == 3);
+    CHECK(reason_of(part).empty());
+}
+
+TEST_CASE("The method can be prescribed, and its reports are handed out") {
+    TestBrep b;
+    add_cylinder(b, 1, 1, 2);
+    PartOptions options = with_size(0.5);
+    options.methods = {PartMethod::sweep};
+    std::size_t described = 0;
+    const auto none = [](SolidId, double, const FeatureOptions&) { return BlockReference{}; };
+    const auto describe = [&](std::string& text, const auto&... reports) {
+        described += sizeof...(reports);
+        text += "x";
+    };
+    const PartMesh part = mesh_part(
+        b, options, Kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, GridCap<TestBrep>{&b}, none, describe});
+    REQUIRE(part.valid());
+    CHECK(part.decisions[0].tries.size() == 1);
+    CHECK_FALSE(part.decisions[0].tries[0].report.empty());
+    CHECK(described >= 2);
+    CHECK(part.decisions[0].tries[0].notes.size() == 1);
+}
+
+TEST_CASE("What cannot be meshed has a reason for each method, and the faces") {
+    TestBrep b;
+    add_pyramid(b);
+    const PartMesh part = mesh_part(b, with_size(0.5), kernels(b));
+    CHECK_FALSE(part.complete());
+    CHECK_FALSE(part.valid());
+    CHECK(part.check.hexahedra == 0);
+    REQUIRE(part.decisions[0].tries.size() == 4);
+    for (const MethodTry& attempt : part.decisions[0].tries) {
+        CHECK(attempt.outcome == TryOutcome::refused);
+        CHECK_FALSE(attempt.reason.empty());
+    }
+    CHECK_FALSE(part.decisions[0].tries[1].faces.empty());
+    CHECK_THAT(reason_of(part), Catch::Contains("block: ") && Catch::Contains("no tetrahedra here"));
+}
+
+TEST_CASE("Local sizes of edges are heeded, blocks refuse them, and names must be borne by something") {
+    TestBrep b;
+    add_prism(b, rectangle(2, 2), 0, 2);
+    PartOptions options = with_size(1);
+    const std::size_t coarse = mesh_part(b, options, kernels(b)).check.hexahedra;
+    options.edge_size[b.tag(1, 0)] = 0.25;
+    const PartMesh fine = mesh_part(b, options, kernels(b));
+    REQUIRE(fine.valid());
+    CHECK(fine.check.hexahedra > coarse);
+    options.methods = {PartMethod::block};
+    CHECK_THAT(reason_of(mesh_part(b, options, kernels(b))), Catch::Contains("blocks know one size"));
+    options.named_size["lid"] = 1;
+    CHECK_THROWS_WITH(mesh_part(b, options, kernels(b)), Catch::Contains("'lid'"));
+}
+
+TEST_CASE("Progress never runs backwards, and a stop ends the call") {
+    TestBrep b;
+    add_pyramid(b);
+    add_prism(b, l_shape(), 5, 6);
+    PartOptions options = with_size(0.5);
+    std::vector<double> done;
+    options.progress = [&](std::string_view, double fraction) { done.push_back(fraction); };
+    (void)mesh_part(b, options, kernels(b));
+    REQUIRE(done.size() > 3);
+    CHECK(std::is_sorted(done.begin(), done.end()));
+    CHECK(done.back() == 1);
+    std::stop_source source;
+    options.execution.stop = source.get_token();
+    options.progress = [&](std::string_view, double) { source.request_stop(); };
+    CHECK_THROWS_AS(mesh_part(b, options, kernels(b)), Stopped);
+}
+
+TEST_CASE("The same bytes for any number of threads") {
+    TestBrep b;
+    add_prism(b, l_shape(), 0, 1);
+    PartOptions options = with_size(0.2);
+    const PartMesh one = mesh_part(b, options, kernels(b));
+    options.execution.threads = 3;
+    const PartMesh three = mesh_part(b, options, kernels(b));
+    CHECK(one.data.mesh.nodes == three.data.mesh.nodes);
+    CHECK(one.data.mesh.hexes == three.data.mesh.hexes);
+}
+
+TEST_CASE("Finer sizes are tried where the CAD mesher fails, and said") {
+    std::vector<std::string> warnings;
+    std::vector<double> sizes;
+    detail::with_finer_sizes(1.0, warnings, [&](double size, int min_loop) {
+        sizes.push_back(size);
+        CHECK(min_loop == (sizes.size() == 1 ? 4 : 8));
+        if (sizes.size() < 3) {
+            throw Error(ErrorCode::cad_failure, "no quads");
+        }
+    });
+    CHECK(sizes == std::vector{1.0, 0.7, 0.7 * 0.7});
+    CHECK(warnings.size() == 2);
+    CHECK_THROWS_AS(
+        detail::with_finer_sizes(1.0, warnings, [](double, int) { throw Error(ErrorCode::cad_failure, "never"); }),
+        Error);
+    std::size_t asked = 0;
+    CHECK_THROWS_AS(detail::with_finer_sizes(1.0, warnings,
+                                             [&](double, int) {
+                                                 ++asked;
+                                                 throw UnmeshableError(ErrorCode::not_sweepable, "no");
+                                             }),
+                    UnmeshableError);
+    CHECK(asked == 1);
+}
+
+TEST_CASE("Paths are told in words") {
+    SweepPath path;
+    CHECK(text_of(path, {}) == "along (0, 0, 1)");
+    CHECK(text_of(path, {7, 8}) == "parallel to edges 7, 8");
+    path.axis = Axis{Vec3(1, 2, 3), Vec3::UnitX()};
+    CHECK(text_of(path, {}) == "round the axis through (1, 2, 3) along (1, 0, 0)");
+}
