@@ -1,5 +1,7 @@
 #include "face_loops.hpp"
 
+#include <pavior/core/index.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,8 +12,6 @@
 namespace pavior::detail {
 
 namespace {
-
-constexpr std::size_t unpaired = std::numeric_limits<std::size_t>::max();
 
 /// End 2c is the first sample of curve c, end 2c + 1 the last.
 struct Ends {
@@ -32,7 +32,7 @@ struct Ends {
     }
 };
 
-/// The end that each end is glued to, nearest pairs first; unpaired where none is left.
+/// The end that each end is glued to, nearest pairs first; no_position where none is left.
 std::vector<std::size_t> pair_ends(const Ends& ends) {
     const std::size_t count = 2 * ends.curves.size();
     std::vector<std::tuple<long long, std::size_t, std::size_t, std::size_t>> candidates;
@@ -45,9 +45,9 @@ std::vector<std::size_t> pair_ends(const Ends& ends) {
         }
     }
     std::sort(candidates.begin(), candidates.end());
-    std::vector<std::size_t> partner(count, unpaired);
+    std::vector<std::size_t> partner(count, no_position);
     for (const auto& [distance, gap, a, b] : candidates) {
-        if (partner[a] == unpaired && partner[b] == unpaired) {
+        if (partner[a] == no_position && partner[b] == no_position) {
             partner[a] = b;
             partner[b] = a;
         }
@@ -114,7 +114,7 @@ std::optional<std::vector<CurveLoop>> chain_curves(const std::vector<BoundaryCur
     const Ends ends{curves, scale};
     const std::vector<std::size_t> partner = pair_ends(ends);
     for (std::size_t end = 0; end < partner.size(); ++end) {
-        if (partner[end] == unpaired || ends.distance(end, partner[end]) > gap_limit) {
+        if (partner[end] == no_position || ends.distance(end, partner[end]) > gap_limit) {
             return std::nullopt;
         }
     }

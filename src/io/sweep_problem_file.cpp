@@ -38,12 +38,11 @@ double number(const Json& value) {
 }
 
 Index node_id(const Json& value) {
-    constexpr Index none = std::numeric_limits<Index>::max();
     if (value.is_number_unsigned()) {
-        return static_cast<Index>(std::min<std::uint64_t>(value.get<std::uint64_t>(), none));
+        return static_cast<Index>(std::min<std::uint64_t>(value.get<std::uint64_t>(), no_index));
     }
     if (value.is_number_integer()) {
-        return none;
+        return no_index;
     }
     throw Malformed{"a node id expected, not " + value.dump().substr(0, 40)};
 }

@@ -48,7 +48,7 @@ public:
         take_nodes();
         take_tets();
         const TetFaceTable faces(frame_nodes_.size(), tets_);
-        if (faces.overused() != TetFaceTable::none) {
+        if (faces.overused() != no_index) {
             fail("tetrahedra overlap at a face");
         }
         find_facets(faces);
@@ -139,11 +139,11 @@ private:
         facet_on_.assign(4 * tets_.size(), -1);
         for (std::size_t f = 0; f < raw_.facet_numbers.size(); ++f) {
             const std::uint32_t face = faces.find(facet(f));
-            if (face == TetFaceTable::none) {
+            if (face == no_index) {
                 fail("a facet that is no face of a tetrahedron");
             }
             facet_on_[face] = static_cast<int>(f);
-            if (faces.opposite(face) != TetFaceTable::none) {
+            if (faces.opposite(face) != no_index) {
                 facet_on_[faces.opposite(face)] = static_cast<int>(f);
             }
         }
@@ -187,7 +187,7 @@ private:
                     if (!behind(face)) {
                         fail("the inside leaks out");
                     }
-                } else if (faces.opposite(face) == TetFaceTable::none) {
+                } else if (faces.opposite(face) == no_index) {
                     fail("a face of the boundary lies on no facet");
                 } else {
                     reach(faces.opposite(face) / 4);
@@ -205,7 +205,7 @@ private:
             if (!behind(face)) {
                 face = faces.opposite(face);
             }
-            if (face == TetFaceTable::none || !behind(face) || inside_[face / 4] == 0) {
+            if (face == no_index || !behind(face) || inside_[face / 4] == 0) {
                 fail("a facet without a tetrahedron behind it");
             }
             result_.mesh.triangles.push_back({tet_face(tets_[face / 4], face % 4), source(number).tag});

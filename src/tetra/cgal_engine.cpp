@@ -1,5 +1,6 @@
 #include "cgal_engine.hpp"
 
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/core/error.hpp>
 
 #include "facet_edges.hpp"
@@ -53,10 +54,10 @@ Surface make_surface(const Plc& plc) {
 
 /// Gives each shell without a curve or corner a corner: the refinement would not find it otherwise.
 void add_missing_corners(const Plc& plc, const std::vector<FeatureChain>& chains, Domain& domain) {
-    UnionFind shells(plc.nodes.size());
+    DisjointSets shells(plc.nodes.size());
     for (const TriCorners& c : plc.facets) {
-        shells.join(c[0], c[1]);
-        shells.join(c[0], c[2]);
+        shells.unite(c[0], c[1]);
+        shells.unite(c[0], c[2]);
     }
     std::vector<char> found(plc.nodes.size(), 0);
     for (const FeatureChain& chain : chains) {

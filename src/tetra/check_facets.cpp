@@ -1,5 +1,7 @@
 #include "check_facets.hpp"
 
+#include <pavior/core/disjoint_sets.hpp>
+
 #include "facet_edges.hpp"
 #include "plc.hpp"
 #include "predicates.hpp"
@@ -71,14 +73,14 @@ private:
     }
 
     void check_use_of_nodes() {
-        facet_at_.assign(nodes_.size(), none);
+        facet_at_.assign(nodes_.size(), no_index);
         for (Index t = static_cast<Index>(facets_.size()); t-- > 0;) {
             for (const Index node : facets_[t]) {
                 facet_at_[node] = t;
             }
         }
         for (Index i = 0; i < nodes_.size(); ++i) {
-            if (facet_at_[i] == none) {
+            if (facet_at_[i] == no_index) {
                 add(SurfaceFault::unused_node, {}, {i});
             }
         }
@@ -134,7 +136,7 @@ private:
         for (std::size_t i = 0; i < order.size(); ++i) {
             const bool same = i > 0 && key(order[i]) == key(order[i - 1]);
             place_[order[i]] = same ? place_[order[i - 1]] : order[i];
-            if (same && facet_at_[order[i]] != none && facet_at_[place_[order[i]]] != none) {
+            if (same && facet_at_[order[i]] != no_index && facet_at_[place_[order[i]]] != no_index) {
                 pairs.push_back({place_[order[i]], order[i]});
             }
         }
@@ -163,15 +165,15 @@ private:
 
     /// Corners of triangles that share an edge at a node belong to one fan.
     void check_fans() {
-        UnionFind fans(3 * boundary_.size());
+        DisjointSets fans(3 * boundary_.size());
         const auto corner = [&](Index t, Index node) {
             const TriCorners& c = boundary_[t];
             return static_cast<Index>(3 * t + (c[0] == node ? 0 : c[1] == node ? 1 : 2));
         };
         for_each_edge(edges_, [&](std::span<const FacetEdge> uses) {
             for (const FacetEdge& use : uses) {
-                fans.join(corner(uses[0].facet, use.low), corner(use.facet, use.low));
-                fans.join(corner(uses[0].facet, use.high), corner(use.facet, use.high));
+                fans.unite(corner(uses[0].facet, use.low), corner(use.facet, use.low));
+                fans.unite(corner(uses[0].facet, use.high), corner(use.facet, use.high));
             }
         });
         std::vector<std::pair<Index, Index>> roots;  // node, smallest corner of a fan
@@ -257,8 +259,6 @@ private:
         const TriCorners& c = facets_[t];
         return {nodes_[c[0]], nodes_[c[1]], nodes_[c[2]]};
     }
-
-    static constexpr Index none = 0xFFFFFFFFU;
 
     std::span<const Vec3> given_;
     std::span<const TriCorners> facets_;

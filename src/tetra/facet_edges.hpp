@@ -51,29 +51,4 @@ void for_each_edge(std::span<const FacetEdge> edges, Visit&& visit) {
     }
 }
 
-/// Sets that grow together. The root of a set is its smallest member.
-class UnionFind {
-public:
-    explicit UnionFind(std::size_t size) : parent_(size) {
-        for (std::size_t i = 0; i < size; ++i) {
-            parent_[i] = static_cast<Index>(i);
-        }
-    }
-    [[nodiscard]] Index root(Index i) {
-        while (parent_[i] != i) {
-            parent_[i] = parent_[parent_[i]];
-            i = parent_[i];
-        }
-        return i;
-    }
-    void join(Index a, Index b) {
-        a = root(a);
-        b = root(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<Index> parent_;
-};
-
 }  // namespace pavior::detail

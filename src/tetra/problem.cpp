@@ -1,5 +1,7 @@
 #include "problem.hpp"
 
+#include <pavior/core/disjoint_sets.hpp>
+
 #include "facet_edges.hpp"
 
 #include <Eigen/Geometry>
@@ -67,7 +69,7 @@ Problem merge_coplanar(const Problem& problem) {
     const Plc& plc = problem.plc;
     const auto tagged = numbers_of_edges(plc);
     const std::vector<FacetEdge> edges = facet_edges(plc.facets);
-    UnionFind sets(plc.facets.size());
+    DisjointSets sets(plc.facets.size());
     for_each_edge(edges, [&](std::span<const FacetEdge> uses) {
         if (uses.size() != 2 || uses[0].forward == uses[1].forward || tagged.contains({uses[0].low, uses[0].high})) {
             return;
@@ -75,7 +77,7 @@ Problem merge_coplanar(const Problem& problem) {
         const FacetSource& a = problem.sources[uses[0].facet];
         const FacetSource& b = problem.sources[uses[1].facet];
         if (a.tag == b.tag && a.inner == b.inner && parallel(a.normal, b.normal)) {
-            sets.join(uses[0].facet, uses[1].facet);
+            sets.unite(uses[0].facet, uses[1].facet);
         }
     });
     // A tagged edge inside a set would be lost: such a set stays as it is.

@@ -1,5 +1,7 @@
 #include "shells.hpp"
 
+#include <pavior/core/disjoint_sets.hpp>
+
 #include "facet_edges.hpp"
 #include "predicates.hpp"
 
@@ -104,11 +106,11 @@ double TriangleTree::clearance(std::size_t t) const {
 }
 
 Shells find_shells(const TriangleTree& tree, std::span<const TriCorners> triangles) {
-    UnionFind sets(triangles.size());
+    DisjointSets sets(triangles.size());
     const std::vector<FacetEdge> edges = facet_edges(triangles);
     for_each_edge(edges, [&](std::span<const FacetEdge> uses) {
         for (const FacetEdge& use : uses) {
-            sets.join(uses[0].facet, use.facet);
+            sets.unite(uses[0].facet, use.facet);
         }
     });
     Shells shells;

@@ -21,16 +21,14 @@ namespace pavior::detail {
 /// The faces of tetrahedra, filed under their smallest node. A face of a tetrahedron is called 4 * tet + face.
 class TetFaceTable {
 public:
-    static constexpr std::uint32_t none = 0xFFFFFFFFU;
-
     /// O(n), apart from sorting the few faces of each node; 4 bytes a face while it works.
     TetFaceTable(std::size_t node_count, std::span<const TetCorners> tets);
 
-    /// The face on the other side of a face, or none.
+    /// The face on the other side of a face, or no_index.
     [[nodiscard]] std::uint32_t opposite(std::uint32_t face) const { return opposite_[face]; }
-    /// A face with these three nodes, or none.
+    /// A face with these three nodes, or no_index.
     [[nodiscard]] std::uint32_t find(const TriCorners& nodes) const;
-    /// A face that more than two tetrahedra have, or none.
+    /// A face that more than two tetrahedra have, or no_index.
     [[nodiscard]] std::uint32_t overused() const { return overused_; }
 
 private:
@@ -40,7 +38,7 @@ private:
     std::vector<std::size_t> ends_;
     std::vector<std::uint32_t> faces_;
     std::vector<std::uint32_t> opposite_;
-    std::uint32_t overused_ = none;
+    std::uint32_t overused_ = no_index;
 };
 
 }  // namespace pavior::detail

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pavior/block/block_mesh.hpp>
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/mesh/face_table.hpp>
 #include <pavior/mesh/span_mesh.hpp>
@@ -9,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <string>
 #include <utility>
@@ -18,38 +18,6 @@
 namespace pavior {
 
 namespace detail {
-
-/// Classes of a partition by union-find, numbered in the order of their first members.
-class Partition {
-public:
-    explicit Partition(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-
-    void join(Index a, Index b) {
-        a = root(a);
-        b = root(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-    /// Class of each member, and the number of classes.
-    [[nodiscard]] std::pair<std::vector<Index>, Index> classes() {
-        std::vector<Index> result(parent_.size());
-        Index count = 0;
-        for (std::size_t i = 0; i < result.size(); ++i) {
-            const Index r = root(static_cast<Index>(i));
-            result[i] = r == i ? count++ : result[r];
-        }
-        return {std::move(result), count};
-    }
-
-private:
-    [[nodiscard]] Index root(Index i) {
-        while (parent_[i] != i) {
-            i = parent_[i] = parent_[parent_[i]];
-        }
-        return i;
-    }
-
-    std::vector<Index> parent_;
-};
 
 inline void check_strata(const BlockMesh& mesh) {
     constexpr std::array<int, 8> dimensions{0, 1, 2, 1, 1, 2, 3, 2};
@@ -131,15 +99,15 @@ inline void number_quads(BlockMesh& mesh) {
 }
 
 inline void number_sheets(BlockMesh& mesh) {
-    Partition partition(mesh.edges.size());
+    DisjointSets sets(mesh.edges.size());
     for (const auto& e : mesh.hex_edges) {
         for (std::size_t direction = 0; direction < 3; ++direction) {
             for (std::size_t k = 1; k < 4; ++k) {
-                partition.join(e[4 * direction], e[4 * direction + k]);
+                sets.unite(e[4 * direction], e[4 * direction + k]);
             }
         }
     }
-    std::tie(mesh.sheets, mesh.sheet_count) = partition.classes();
+    mesh.sheet_count = number_sets(sets, mesh.sheets, [](Index) { return true; });
 }
 
 }  // namespace detail

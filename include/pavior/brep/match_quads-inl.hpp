@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -29,13 +28,12 @@ PAVIOR_INLINE HalfEdgeTable::HalfEdgeTable(std::span<const QuadCorners> quads) {
 PAVIOR_INLINE std::optional<std::vector<Index>> match_quads(std::span<const QuadCorners> a,
                                                             std::span<const QuadCorners> b, std::size_t node_count,
                                                             std::span<const std::pair<Index, Index>> seed) {
-    constexpr Index none = std::numeric_limits<Index>::max();
     if (a.size() != b.size()) {
         return std::nullopt;
     }
-    std::vector<Index> match(node_count, none);
+    std::vector<Index> match(node_count, no_index);
     for (const auto& [from, to] : seed) {
-        if (match[from] != none && match[from] != to) {
+        if (match[from] != no_index && match[from] != to) {
             return std::nullopt;
         }
         match[from] = to;
@@ -45,7 +43,7 @@ PAVIOR_INLINE std::optional<std::vector<Index>> match_quads(std::span<const Quad
     std::vector<bool> reached(a.size(), false);
     std::vector<std::size_t> stack;  // half-edges of a whose two nodes are matched
     for (std::size_t h = 0; h < 4 * a.size(); ++h) {
-        if (match[a[h / 4][h % 4]] != none && match[a[h / 4][(h + 1) % 4]] != none) {
+        if (match[a[h / 4][h % 4]] != no_index && match[a[h / 4][(h + 1) % 4]] != no_index) {
             stack.push_back(h);
         }
     }
@@ -64,7 +62,7 @@ PAVIOR_INLINE std::optional<std::vector<Index>> match_quads(std::span<const Quad
         for (std::size_t k = 0; k < 4; ++k) {
             Index& at = match[from[(h + k) % 4]];
             const Index to = b[*other / 4][(*other + k) % 4];
-            if (at != none && at != to) {
+            if (at != no_index && at != to) {
                 return std::nullopt;
             }
             at = to;
@@ -79,7 +77,7 @@ PAVIOR_INLINE std::optional<std::vector<Index>> match_quads(std::span<const Quad
     std::vector<Index> images = match;
     std::sort(images.begin(), images.end());
     const bool complete = std::find(reached.begin(), reached.end(), false) == reached.end() &&
-                          (images.empty() || images.back() != none) &&
+                          (images.empty() || images.back() != no_index) &&
                           std::adjacent_find(images.begin(), images.end()) == images.end();
     return complete ? std::optional(std::move(match)) : std::nullopt;
 }

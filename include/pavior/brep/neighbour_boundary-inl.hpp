@@ -36,7 +36,7 @@ PAVIOR_INLINE Index FaceGraph::at(const Vec3& x) const {
             return id;
         }
     }
-    return no_node;
+    return no_index;
 }
 
 }  // namespace detail

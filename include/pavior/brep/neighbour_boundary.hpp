@@ -36,7 +36,7 @@ public:
     /// Pairs of \p id and the nodes joined to it by an edge of a quad.
     [[nodiscard]] std::span<const std::pair<Index, Index>> links(Index id) const {
         const auto first = std::lower_bound(links_.begin(), links_.end(), std::pair(id, Index{0}));
-        const auto last = std::upper_bound(first, links_.end(), std::pair(id, no_node));
+        const auto last = std::upper_bound(first, links_.end(), std::pair(id, no_index));
         return {first, last};
     }
 
@@ -61,7 +61,7 @@ template <brep B>
     const std::array<double, 2> range = b.edge_range(e);
     EdgeNodes result{{first}, {range[0]}};
     while (result.nodes.size() == 1 || result.nodes.back() != last) {
-        Index next = no_node;
+        Index next = no_index;
         double nearest = std::numeric_limits<double>::infinity();
         for (const auto& [from, to] : graph.links(result.nodes.back())) {
             const double t = to == last ? range[1] : closest_on_edge(b, e, nodes[to]);
@@ -71,7 +71,7 @@ template <brep B>
                 next = to;
             }
         }
-        if (next == no_node) {
+        if (next == no_index) {
             return {};
         }
         result.nodes.push_back(next);
@@ -124,7 +124,7 @@ template <brep B>
     detail::check_quad_faces(quads, quad_face);
     BoundaryMesh mesh;
     mesh.nodes = std::move(nodes);
-    mesh.vertices.assign(b.vertex_count(), no_node);
+    mesh.vertices.assign(b.vertex_count(), no_index);
     mesh.edges.resize(b.edge_count());
     mesh.faces.resize(b.face_count());
     std::vector<std::vector<QuadCorners>> quads_of(b.face_count());
@@ -149,9 +149,9 @@ template <brep B>
                 for (std::size_t i = 0; i < 2; ++i) {
                     const VertexId v = b.edge_vertices(use.edge)[i];
                     Index& vertex = mesh.vertices[v.index()];
-                    vertex = vertex == no_node ? graph.at(b.vertex_point(v)) : vertex;
+                    vertex = vertex == no_index ? graph.at(b.vertex_point(v)) : vertex;
                     ends[i] = vertex;
-                    if (vertex == no_node) {
+                    if (vertex == no_index) {
                         throw fail("has no node at vertex " + std::to_string(b.tag(0, v.index())));
                     }
                 }

@@ -3,11 +3,9 @@
 /// Solids of a CAD model that hang together.
 
 #include <pavior/brep/brep.hpp>
+#include <pavior/core/disjoint_sets.hpp>
 
-#include <algorithm>
 #include <cstddef>
-#include <limits>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -17,21 +15,12 @@ namespace pavior {
 /// others of them. Groups, and the solids in each, come in the order of \p solids. O(uses of edges).
 template <brep B>
 [[nodiscard]] std::vector<std::vector<SolidId>> touching_solids(const B& b, std::span<const SolidId> solids) {
-    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-    std::vector<std::size_t> root(solids.size());
-    std::iota(root.begin(), root.end(), std::size_t{0});
-    const auto find = [&](std::size_t s) {
-        while (root[s] != s) {
-            s = root[s] = root[root[s]];
-        }
-        return s;
-    };
-    std::vector<std::size_t> vertex_owner(b.vertex_count(), none);
-    std::vector<std::size_t> face_owner(b.face_count(), none);
+    DisjointSets<std::size_t> sets(solids.size());
+    std::vector<std::size_t> vertex_owner(b.vertex_count(), no_position);
+    std::vector<std::size_t> face_owner(b.face_count(), no_position);
     const auto join = [&](std::size_t& owner, std::size_t s) {
-        owner = owner == none ? s : owner;
-        const auto [low, high] = std::minmax({find(owner), find(s)});
-        root[high] = low;
+        owner = owner == no_position ? s : owner;
+        sets.unite(owner, s);
     };
     for (std::size_t s = 0; s < solids.size(); ++s) {
         for (const OrientedFace& face : b.solid_faces(solids[s])) {
@@ -47,7 +36,7 @@ template <brep B>
     }
     std::vector<std::vector<SolidId>> groups(solids.size());
     for (std::size_t s = 0; s < solids.size(); ++s) {
-        groups[find(s)].push_back(solids[s]);
+        groups[sets.root(s)].push_back(solids[s]);
     }
     std::erase_if(groups, [](const auto& group) { return group.empty(); });
     return groups;

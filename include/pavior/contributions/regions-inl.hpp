@@ -10,7 +10,8 @@ namespace pavior {
 
 namespace detail {
 
-PAVIOR_INLINE void number_regions(const TetTopology& topology, const PieceIds& ids, IndexSets& sets, Regions& out) {
+PAVIOR_INLINE void number_regions(const TetTopology& topology, const PieceIds& ids, DisjointSets<>& sets,
+                                  Regions& out) {
     std::vector<char> used(topology.node_count(), 0);
     for (const auto& edge : topology.edges) {
         used[edge[0]] = used[edge[1]] = 1;

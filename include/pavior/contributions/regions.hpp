@@ -4,8 +4,8 @@
 
 #include <pavior/contributions/contributions.hpp>
 #include <pavior/core/compiled.hpp>
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/core/parallel_for.hpp>
-#include <pavior/dual/detail/index_sets.hpp>
 
 #include <array>
 #include <cstddef>
@@ -52,7 +52,7 @@ struct PieceIds {
 /// Joins pieces, for one thread. The set of the inner piece of a tetrahedron is kept at hand.
 class PieceJoiner {
 public:
-    explicit PieceJoiner(IndexSets& sets) : sets_(sets) {}
+    explicit PieceJoiner(DisjointSets<>& sets) : sets_(sets) {}
     void start(Index tet) { root_ = sets_.root(tet); }
     void attach(Index piece) { root_ = sets_.attach(piece, root_); }
     void unite(Index a, Index b) {
@@ -61,20 +61,20 @@ public:
     }
 
 private:
-    IndexSets& sets_;
+    DisjointSets<>& sets_;
     Index root_ = 0;
 };
 
 /// The same for any number of threads.
 class SharedPieceJoiner {
 public:
-    explicit SharedPieceJoiner(IndexSets& sets) : sets_(sets) {}
+    explicit SharedPieceJoiner(DisjointSets<>& sets) : sets_(sets) {}
     void start(Index tet) { tet_ = tet; }
     void attach(Index piece) { sets_.unite_shared(piece, tet_); }
     void unite(Index a, Index b) { sets_.unite_shared(a, b); }
 
 private:
-    IndexSets& sets_;
+    DisjointSets<>& sets_;
     Index tet_ = 0;
 };
 
@@ -149,7 +149,7 @@ void join_pieces(const M& mesh, const TetTopology& topology, const std::vector<T
     }
 }
 
-PAVIOR_INLINE void number_regions(const TetTopology& topology, const PieceIds& ids, IndexSets& sets, Regions& out);
+PAVIOR_INLINE void number_regions(const TetTopology& topology, const PieceIds& ids, DisjointSets<>& sets, Regions& out);
 
 }  // namespace detail
 
@@ -167,7 +167,7 @@ template <tet_mesh M>
     if (ids.end >= no_index) {
         throw InputError(ErrorCode::overflow, "2^32 pieces or more: " + std::to_string(ids.end));
     }
-    detail::IndexSets sets(ids.end);
+    DisjointSets sets(ids.end);
     const bool shared = thread_count(execution) > 1;
     parallel_for(execution, contributions.size(), 1024, [&](std::size_t begin, std::size_t end) {
         if (shared) {

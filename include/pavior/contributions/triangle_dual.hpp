@@ -3,8 +3,8 @@
 /// Local dual contributions in the plane (section 5.2 \cite roca2009): triangles in, quadrilateral blocks out.
 
 #include <pavior/contributions/matching_rules.hpp>
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/core/error.hpp>
-#include <pavior/dual/detail/index_sets.hpp>
 #include <pavior/mesh/span_mesh.hpp>
 
 #include <algorithm>
@@ -162,7 +162,7 @@ template <triangle_mesh M>
 void join_triangle_pieces(const M& mesh, TriangleDual& out) {
     const std::size_t triangles = triangle_count(mesh);
     const std::size_t edges = triangles + out.topology.edges.size();
-    IndexSets sets(edges + node_count(mesh));
+    DisjointSets sets(edges + node_count(mesh));
     std::vector<char> used(sets.size(), 1);
     std::fill(used.begin() + static_cast<std::ptrdiff_t>(edges), used.end(), 0);
     for (const Index t : IndexRange(triangles)) {

@@ -15,6 +15,9 @@ using Index = std::uint32_t;
 /// No node or cell.
 inline constexpr Index no_index = std::numeric_limits<Index>::max();
 
+/// No position in an array.
+inline constexpr std::size_t no_position = std::numeric_limits<std::size_t>::max();
+
 /// The half-open range of ids [first, last), iterable and sized. (clang 14 cannot compile std::views::iota.)
 class IndexRange {
 public:

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/dual/boundary_surface.hpp>
-#include <pavior/dual/detail/index_sets.hpp>
 
 #include <cstddef>
 #include <string>
@@ -49,7 +49,7 @@ PAVIOR_INLINE void check_fans(const TetTopology& topology, const BoundarySurface
         const TriCorners& c = surface.triangles[triangle];
         return static_cast<Index>(3 * triangle + (c[0] == node ? 0 : c[1] == node ? 1 : 2));
     };
-    IndexSets fans(3 * surface.triangles.size());
+    DisjointSets fans(3 * surface.triangles.size());
     for (std::size_t s = 0; s < surface.edges.size(); ++s) {
         for (const Index node : topology.edges[surface.edges[s]]) {
             fans.unite(corner(surface.edge_triangles[s][0], node), corner(surface.edge_triangles[s][1], node));

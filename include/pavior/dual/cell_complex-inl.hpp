@@ -1,8 +1,8 @@
 #pragma once
 
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/core/parallel_for.hpp>
 #include <pavior/dual/cell_complex.hpp>
-#include <pavior/dual/detail/index_sets.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace detail {
 
 PAVIOR_INLINE void number_cells(const TetTopology& topology, const EntityClasses& classes, Execution execution,
                                 CellComplex& out) {
-    IndexSets sets(topology.tet_faces.size());
+    DisjointSets sets(topology.tet_faces.size());
     const bool shared = thread_count(execution) > 1;
     parallel_for(execution, topology.faces.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
@@ -29,7 +29,7 @@ PAVIOR_INLINE void number_cells(const TetTopology& topology, const EntityClasses
 }
 
 PAVIOR_INLINE void number_patches(const TetTopology& topology, const EntityClasses& classes, CellComplex& out) {
-    IndexSets sets(topology.faces.size());
+    DisjointSets sets(topology.faces.size());
     std::vector<Index> first_of_edge(topology.edges.size(), no_index);
     std::vector<Index> first_of_node(topology.node_count(), no_index);
     const auto join = [&](Index f, Index& first) {

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <sstream>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -46,14 +45,14 @@ PAVIOR_INLINE void check_magnitude(const std::vector<double>& lengths) {
 PAVIOR_INLINE void fill_patches(const BoundarySurface& surface, const std::vector<CurveKind>& kinds,
                                 const TetTopology& topology, const std::vector<TaggedTriangle>& tagged,
                                 ReferenceMesh& out) {
-    IndexSets sets(surface.triangles.size());
+    DisjointSets sets(surface.triangles.size());
     for (std::size_t s = 0; s < kinds.size(); ++s) {
         if (kinds[s] == CurveKind::smooth) {
             sets.unite(surface.edge_triangles[s][0], surface.edge_triangles[s][1]);
         }
     }
     std::vector<Index> id;
-    std::ignore = number_sets(sets, id, [](Index) { return true; });
+    number_sets(sets, id, [](Index) { return true; });
     for (const Index b : IndexRange(id.size())) {
         out.patches.push_back({surface.triangles[b], static_cast<std::int32_t>(id[b])});
     }
@@ -70,9 +69,9 @@ PAVIOR_INLINE void fill_patches(const BoundarySurface& surface, const std::vecto
 PAVIOR_INLINE void fill_curves(const FeatureFinder<FeatureOptions>& finder, const BoundarySurface& surface,
                                const std::vector<CurveKind>& kinds, const TetTopology& topology,
                                const std::vector<TaggedEdge>& tagged, ReferenceMesh& out) {
-    IndexSets sets = finder.curves();
+    DisjointSets<> sets = finder.curves();
     std::vector<Index> id;
-    std::ignore = number_sets(sets, id, [&](Index s) { return kinds[s] != CurveKind::smooth; });
+    number_sets(sets, id, [&](Index s) { return kinds[s] != CurveKind::smooth; });
     for (const Index s : IndexRange(id.size())) {
         if (id[s] != no_index) {
             out.curves.push_back({topology.edges[surface.edges[s]], static_cast<std::int32_t>(id[s]), kinds[s]});

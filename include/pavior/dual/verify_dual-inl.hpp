@@ -170,7 +170,7 @@ PAVIOR_INLINE void DualVerifier::check_cells() {
 }
 
 PAVIOR_INLINE std::vector<Index> DualVerifier::inner_sides() const {
-    IndexSets sides(2 * topology_.faces.size());
+    DisjointSets sides(2 * topology_.faces.size());
     for (const Index f : fans_.faces()) {
         for (const Index side : {0U, 1U}) {
             const Index t = topology_.face_tets[f][side];

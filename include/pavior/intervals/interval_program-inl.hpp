@@ -1,11 +1,11 @@
 #pragma once
 
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/intervals/interval_program.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace pavior {
@@ -14,25 +14,17 @@ namespace detail {
 
 PAVIOR_INLINE EqualEdges::EqualEdges(const IntervalSystem& system, const std::vector<std::size_t>& active)
     : class_(system.edges.size()) {
-    std::iota(class_.begin(), class_.end(), std::size_t{0});
+    DisjointSets<std::size_t> sets(class_.size());
     for (const std::size_t i : active) {
         const IntervalRule& rule = system.rules[i];
         if (rule.kind == IntervalRule::Kind::equal && rule.value == 0 && rule.terms.size() == 2 &&
             rule.terms[0].second == -rule.terms[1].second) {
-            const std::size_t a = root(rule.terms[0].first), b = root(rule.terms[1].first);
-            class_[std::max(a, b)] = std::min(a, b);
+            sets.unite(rule.terms[0].first, rule.terms[1].first);
         }
     }
     for (std::size_t i = 0; i < class_.size(); ++i) {
-        class_[i] = class_[class_[i]];
+        class_[i] = sets.root(i);
     }
-}
-
-PAVIOR_INLINE std::size_t EqualEdges::root(std::size_t i) const {
-    while (class_[i] != i) {
-        i = class_[i];
-    }
-    return i;
 }
 
 PAVIOR_INLINE std::vector<int> cost_breakpoints(int lower, const std::vector<double>& wishes) {

@@ -22,8 +22,6 @@ public:
     [[nodiscard]] std::size_t operator[](std::size_t edge) const { return class_[edge]; }
 
 private:
-    std::size_t root(std::size_t i) const;
-
     std::vector<std::size_t> class_;
 };
 

@@ -1,12 +1,12 @@
 #pragma once
 
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/intervals/solve_intervals.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -54,23 +54,16 @@ PAVIOR_INLINE bool parity_possible(const IntervalSystem& system, const std::vect
 }
 
 PAVIOR_INLINE std::vector<std::vector<std::size_t>> connected_rules(const IntervalSystem& system) {
-    std::vector<std::size_t> parent(system.edges.size());
-    std::iota(parent.begin(), parent.end(), std::size_t{0});
-    const auto root = [&](std::size_t i) {
-        while (parent[i] != i) {
-            i = parent[i] = parent[parent[i]];
-        }
-        return i;
-    };
+    DisjointSets<std::size_t> sets(system.edges.size());
     for (const IntervalRule& rule : system.rules) {
         for (const auto& [edge, coefficient] : rule.terms) {
-            parent[root(edge)] = root(rule.terms[0].first);
+            sets.unite(edge, rule.terms[0].first);
         }
     }
     std::vector<std::vector<std::size_t>> by_root(system.edges.size() + 1);
     for (std::size_t i = 0; i < system.rules.size(); ++i) {
         const auto& terms = system.rules[i].terms;
-        by_root[terms.empty() ? system.edges.size() : root(terms[0].first)].push_back(i);
+        by_root[terms.empty() ? system.edges.size() : sets.root(terms[0].first)].push_back(i);
     }
     std::erase_if(by_root, [](const auto& rules) { return rules.empty(); });
     return by_root;

@@ -46,7 +46,7 @@ void for_each_boundary_node(const LogicalFace& face, const FaceTrace& trace, std
 
 /// The nodes of a face on its boundary: ids, parameters, and the layers of its lattice.
 struct FaceBorder {
-    std::vector<Index> nodes;  ///< per grid node; no_node inside
+    std::vector<Index> nodes;  ///< per grid node; no_index inside
     std::vector<Vec2> uv;
     LatticeLayers<2> layers;
 };
@@ -54,7 +54,7 @@ struct FaceBorder {
 template <brep B>
 [[nodiscard]] FaceBorder face_border(const B& b, const BoundaryMesh& mesh, FaceId f, const LogicalFace& face,
                                      std::span<const int> edges, const SubmapFace& lattice) {
-    FaceBorder border{std::vector<Index>(lattice.grid.node_count(), no_node),
+    FaceBorder border{std::vector<Index>(lattice.grid.node_count(), no_index),
                       std::vector<Vec2>(lattice.grid.node_count(), Vec2::Zero()),
                       {}};
     const Periods periods = b.face_period(f);
@@ -107,7 +107,7 @@ void repair_face(const B& b, FaceId f, const FaceBorder& border, std::span<const
     const auto evaluate = [&](const std::vector<Vec2>& at) {
         std::vector<Vec3> x = points;
         for (std::size_t n = 0; n < at.size(); ++n) {
-            x[n] = border.nodes[n] == no_node ? surface.point(at[n]) : points[n];
+            x[n] = border.nodes[n] == no_index ? surface.point(at[n]) : points[n];
         }
         return x;
     };
@@ -124,7 +124,7 @@ void repair_face(const B& b, FaceId f, const FaceBorder& border, std::span<const
     place_inner_nodes(result.grid, border.layers, in_space);
     std::vector<Vec2> closest = uv;
     for (std::size_t n = 0; n < closest.size(); ++n) {
-        if (border.nodes[n] == no_node) {
+        if (border.nodes[n] == no_index) {
             closest[n] = surface.closest(in_space[n]);
             closest[n] += nearest_image_shift(closest[n], uv[n], b.face_period(f));
         }
@@ -133,7 +133,7 @@ void repair_face(const B& b, FaceId f, const FaceBorder& border, std::span<const
     if (!result.folded.empty()) {
         std::vector<std::uint8_t> fixed;
         for (const Index node : border.nodes) {
-            fixed.push_back(node == no_node ? 0 : 1);
+            fixed.push_back(node == no_index ? 0 : 1);
         }
         std::vector<Vec2> other = uv;
         (void)untangle_surface_quads(surface, std::span<Vec2>(other), quads, std::span<const std::uint8_t>(fixed), {},
@@ -165,7 +165,7 @@ SubmapFace mesh_submap_face(const B& b, BoundaryMesh& mesh, FaceId f, const Logi
     place_inner_nodes(result.grid, border.layers, uv);
     std::vector<Vec3> points(uv.size());
     for (std::size_t n = 0; n < uv.size(); ++n) {
-        points[n] = border.nodes[n] == no_node ? Vec3(b.face_point(f, uv[n])) : mesh.nodes[border.nodes[n]];
+        points[n] = border.nodes[n] == no_index ? Vec3(b.face_point(f, uv[n])) : mesh.nodes[border.nodes[n]];
     }
     FaceMesh& target = mesh.faces[f.index()];
     target.quads = detail::lattice_quads(result.grid);
@@ -177,7 +177,7 @@ SubmapFace mesh_submap_face(const B& b, BoundaryMesh& mesh, FaceId f, const Logi
     }
     target.nodes = border.nodes;
     for (std::size_t n = 0; n < points.size(); ++n) {
-        if (target.nodes[n] == no_node) {
+        if (target.nodes[n] == no_index) {
             target.nodes[n] = mesh.add_node(points[n]);
         }
     }

@@ -4,6 +4,7 @@
 /// the solid, and layers between levels are of equal height.
 
 #include <pavior/core/compiled.hpp>
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/core/index.hpp>
 #include <pavior/math/point.hpp>
 #include <pavior/mesh/cells.hpp>
@@ -70,20 +71,9 @@ void extend_heights(std::span<const Vec2> plane, std::span<const QuadCorners> qu
     }
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    std::vector<Index> part(nodes.size());
-    for (Index i = 0; i < part.size(); ++i) {
-        part[i] = i;
-    }
-    const auto root = [&](Index i) {
-        while (part[i] != i) {
-            i = part[i] = part[part[i]];
-        }
-        return i;
-    };
+    DisjointSets parts(nodes.size());
     for (const auto& [a, b] : edges) {
-        const Index i = root(a);
-        const Index j = root(b);
-        part[std::max(i, j)] = std::min(i, j);
+        parts.unite(a, b);
     }
     constexpr double infinity = std::numeric_limits<double>::infinity();
     std::vector<double> height(nodes.size(), infinity);
@@ -92,14 +82,14 @@ void extend_heights(std::span<const Vec2> plane, std::span<const QuadCorners> qu
     for (Index i = 0; i < nodes.size(); ++i) {
         if (const auto at = known(nodes[i])) {
             height[i] = *at;
-            low[root(i)] = std::min(low[root(i)], *at);
-            high[root(i)] = std::max(high[root(i)], *at);
+            low[parts.root(i)] = std::min(low[parts.root(i)], *at);
+            high[parts.root(i)] = std::max(high[parts.root(i)], *at);
         }
     }
     std::vector<Index> free(nodes.size(), no_index);
     Index free_count = 0;
     for (Index i = 0; i < nodes.size(); ++i) {
-        const Index r = root(i);
+        const Index r = parts.root(i);
         if (height[i] == infinity && low[r] <= high[r]) {
             if (high[r] - low[r] <= tolerance) {
                 extend(nodes[i], 0.5 * (low[r] + high[r]));

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
@@ -29,9 +28,8 @@ PAVIOR_INLINE std::vector<std::vector<Index>> curves_of_edges(const PlaneArrange
     return result;
 }
 
-PAVIOR_INLINE LevelClasses::LevelClasses(const ExtrudedBody& body) : body_(body), parent_(cap_count() + curve_count()) {
-    parent_.resize(parent_.size() + body.vertices.size());
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+PAVIOR_INLINE LevelClasses::LevelClasses(const ExtrudedBody& body)
+    : body_(body), sets_(cap_count() + curve_count() + body.vertices.size()) {
     for (std::size_t c = 0; c < cap_count(); ++c) {
         for (const Index curve : body.caps[c].curves) {
             join(c, cap_count() + curve);
@@ -42,13 +40,6 @@ PAVIOR_INLINE LevelClasses::LevelClasses(const ExtrudedBody& body) : body_(body)
             join(cap_count() + c, cap_count() + curve_count() + v);
         }
     }
-}
-
-PAVIOR_INLINE std::size_t LevelClasses::find(std::size_t i) const {
-    while (parent_[i] != i) {
-        i = parent_[i];
-    }
-    return i;
 }
 
 PAVIOR_INLINE std::pair<std::string, int> LevelClasses::name(std::size_t item) const {

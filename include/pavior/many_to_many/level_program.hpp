@@ -3,6 +3,7 @@
 /// Levels of caps: the layers of a body that is swept from many sources to many targets, by an integer program.
 
 #include <pavior/core/compiled.hpp>
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/intervals/solve_intervals.hpp>
 #include <pavior/many_to_many/caps_over_cells.hpp>
 
@@ -42,19 +43,15 @@ public:
 
     [[nodiscard]] std::size_t cap_count() const { return body_.caps.size(); }
     [[nodiscard]] std::size_t curve_count() const { return body_.curves.size(); }
-    [[nodiscard]] std::size_t size() const { return parent_.size(); }
-    [[nodiscard]] std::size_t find(std::size_t i) const;
-    void join(std::size_t a, std::size_t b) {
-        a = find(a);
-        b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
+    [[nodiscard]] std::size_t size() const { return sets_.size(); }
+    [[nodiscard]] std::size_t find(std::size_t i) const { return sets_.root(i); }
+    void join(std::size_t a, std::size_t b) { sets_.unite(a, b); }
     /// A name for messages and the tag of a face, 0 if it is none.
     [[nodiscard]] std::pair<std::string, int> name(std::size_t item) const;
 
 private:
     const ExtrudedBody& body_;
-    std::vector<std::size_t> parent_;
+    DisjointSets<std::size_t> sets_;
 };
 
 /// An entity met by a line along the direction.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pavior/dual/detail/index_sets.hpp>
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/marking/cut.hpp>
 
 #include <algorithm>
@@ -126,7 +126,7 @@ inline void release_fixed(const CutMesh& cut, SheetCut& sheet) {
     const auto crosses = [&](Index a, Index b) { return values[a] * values[b] < 0; };
     auto edges = collect_edges(cut.mesh, crosses);
     const auto nodes = static_cast<Index>(values.size());
-    IndexSets sets(values.size() + edges.size());
+    DisjointSets sets(values.size() + edges.size());
     std::vector<char> started(sets.size(), 0);
     const auto place = [&](Index a, Index b) {
         const auto at = std::lower_bound(edges.begin(), edges.end(), ascending(a, b));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pavior/dual/detail/index_sets.hpp>
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/marking/faces.hpp>
 
 #include <algorithm>
@@ -154,7 +154,7 @@ PAVIOR_INLINE std::vector<SheetFace> keep_started(const CutMesh& cut, const Shee
     }
     std::sort(uses.begin(), uses.end(),
               [](const Use& a, const Use& b) { return a.edge != b.edge ? a.edge < b.edge : a.face < b.face; });
-    IndexSets sets(faces.size());
+    DisjointSets sets(faces.size());
     for (std::size_t i = 0; i + 1 < uses.size(); ++i) {
         if (uses[i].edge == uses[i + 1].edge && !boundary.has(uses[i].edge) &&
             !std::binary_search(sheet.barriers.begin(), sheet.barriers.end(), uses[i].edge)) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pavior/dual/detail/index_sets.hpp>
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/marking/fit_surface.hpp>
 #include <pavior/marking/groups.hpp>
 
@@ -85,7 +85,7 @@ namespace detail {
 [[nodiscard]] inline std::vector<SheetMember> exact_members(std::span<const Front> fronts,
                                                             const FrontBoundary& boundary, std::span<const Vec3> nodes,
                                                             double tolerance) {
-    IndexSets sets(fronts.size());
+    DisjointSets sets(fronts.size());
     for (const Index i : IndexRange(fronts.size())) {
         for (Index j = i + 1; j < fronts.size(); ++j) {
             if (sets.root(i) != sets.root(j) && same_surface(fronts[i], fronts[j], boundary, nodes, tolerance)) {

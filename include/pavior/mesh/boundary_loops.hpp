@@ -5,15 +5,12 @@
 #include <pavior/core/error.hpp>
 #include <pavior/mesh/edge_table.hpp>
 
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace pavior {
 
 namespace detail {
-inline constexpr Index no_node = std::numeric_limits<Index>::max();
-
 /// bad_index if a quad has a node out of range or twice.
 template <quad_mesh M>
 void require_good_quads(const M& mesh) {
@@ -34,10 +31,10 @@ void require_good_quads(const M& mesh) {
     }
 }
 
-/// For each boundary node the next one along the boundary, no_node elsewhere.
+/// For each boundary node the next one along the boundary, no_index elsewhere.
 template <quad_mesh M>
 [[nodiscard]] std::vector<Index> boundary_successors(const M& mesh) {
-    std::vector<Index> next(node_count(mesh), no_node);
+    std::vector<Index> next(node_count(mesh), no_index);
     EdgeTable(mesh).for_each([&](Index low, Index high, std::span<const EdgeTable::Use> uses) {
         const bool upwards = runs_along(quad(mesh, uses[0].quad), low, high);
         const auto name = [&] { return "edge (" + std::to_string(low) + ", " + std::to_string(high) + ") "; };
@@ -55,7 +52,7 @@ template <quad_mesh M>
             return;
         }
         const Index from = upwards ? low : high;
-        if (next[from] != no_node) {
+        if (next[from] != no_index) {
             throw InputError(ErrorCode::non_manifold, "the boundary touches itself at node " + std::to_string(from),
                              {from});
         }
@@ -78,13 +75,13 @@ template <quad_mesh M>
     std::vector<Index> next = detail::boundary_successors(mesh);
     Loops loops;
     for (std::size_t start = 0; start < next.size(); ++start) {
-        if (next[start] == detail::no_node) {
+        if (next[start] == no_index) {
             continue;
         }
-        for (std::size_t at = start; next[at] != detail::no_node;) {
+        for (std::size_t at = start; next[at] != no_index;) {
             loops.nodes.push_back(static_cast<Index>(at));
             const Index to = next[at];
-            next[at] = detail::no_node;
+            next[at] = no_index;
             at = to;
         }
         loops.offsets.push_back(loops.nodes.size());

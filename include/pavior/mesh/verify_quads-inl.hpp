@@ -9,18 +9,10 @@ namespace pavior {
 
 namespace detail {
 
-PAVIOR_INLINE std::size_t DisjointSets::root(std::size_t i) {
-    while (parent_[i] != i) {
-        parent_[i] = parent_[parent_[i]];
-        i = parent_[i];
-    }
-    return i;
-}
-
 PAVIOR_INLINE void check_components(const std::vector<char>& bad, const VerifyQuadsOptions& options, QuadReport& report,
-                                    DisjointSets& quads) {
+                                    DisjointSets<>& quads) {
     std::vector<std::int64_t> firsts;
-    for (std::size_t q = 0; q < bad.size(); ++q) {
+    for (const Index q : IndexRange(bad.size())) {
         if (bad[q] == 0 && quads.root(q) == q) {
             firsts.push_back(static_cast<std::int64_t>(q));
         }

@@ -45,7 +45,7 @@ public:
     /// \p more: further solids whose edges are to be divided; their rules are added by others.
     IntervalBuilder(const B& b, std::span<const SweepTopology> sweeps, const IntervalOptions& options,
                     std::span<const SolidId> more = {})
-        : b_(b), options_(options), index_(b.edge_count(), none) {
+        : b_(b), options_(options), index_(b.edge_count(), no_position) {
         check_options();
         for (const SolidId solid : more) {
             add_edges(solid);
@@ -69,7 +69,6 @@ public:
     [[nodiscard]] std::size_t position(EdgeId e) const { return index_[e.index()]; }
 
 private:
-    static constexpr std::size_t none = static_cast<std::size_t>(-1);
     using Terms = std::vector<std::pair<std::size_t, int>>;
 
     [[nodiscard]] int face_tag(FaceId f) const { return b_.tag(2, f.index()); }
@@ -125,7 +124,7 @@ private:
 
     std::size_t add_edge(EdgeId e) {
         std::size_t& at = index_[e.index()];
-        if (at == none) {
+        if (at == no_position) {
             at = edges_.size();
             edges_.push_back(e);
             from_faces_.push_back(no_bound);

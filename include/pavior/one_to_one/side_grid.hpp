@@ -37,7 +37,7 @@ struct GridView {
 /// A node of a linking side on the grid of its loop, counted from the start of the first bottom edge.
 struct SideNode {
     int column = 0, row = 0;
-    Index id = no_node;
+    Index id = no_index;
 };
 
 /// Places of all nodes of a side that is no rectangle, spread from its edges over the quads of its mesh. Nothing if the
@@ -141,7 +141,7 @@ template <brep B>
             result.layers = std::max(result.layers, static_cast<std::size_t>(at.row + at.rows));
         }
     }
-    result.ids.assign((result.layers + 1) * result.level_size(), no_node);
+    result.ids.assign((result.layers + 1) * result.level_size(), no_index);
     for (std::size_t l = 0; l < sweep.loops.size(); ++l) {
         const auto columns = static_cast<int>(result.offsets[l + 1] - result.offsets[l]);
         for (std::size_t s = 0; s < sweep.loops[l].size(); ++s) {
@@ -154,7 +154,7 @@ template <brep B>
             }
         }
     }
-    PAVIOR_ASSERT(std::find(result.ids.begin(), result.ids.end(), no_node) == result.ids.end());
+    PAVIOR_ASSERT(std::find(result.ids.begin(), result.ids.end(), no_index) == result.ids.end());
     return result;
 }
 

@@ -26,7 +26,7 @@ PAVIOR_INLINE Loops local_loops(const LevelIds& levels, const PositionOf& positi
         std::vector<Index> loop;
         for (std::size_t i = levels.offsets[l]; i < levels.offsets[l + 1]; ++i) {
             loop.push_back(position(levels.level(0)[i]));
-            PAVIOR_ASSERT(loop.back() != no_node);
+            PAVIOR_ASSERT(loop.back() != no_index);
         }
         loops.add(loop);
     }
@@ -36,7 +36,7 @@ PAVIOR_INLINE Loops local_loops(const LevelIds& levels, const PositionOf& positi
 PAVIOR_INLINE std::vector<Index> store_sweep(BoundaryMesh& mesh, const SweepMesh& swept, const Loops& loops,
                                              const LevelIds& levels, std::span<const Index> source_ids,
                                              std::span<const Index> target_ids) {
-    std::vector<Index> ids(swept.nodes().size(), no_node);
+    std::vector<Index> ids(swept.nodes().size(), no_index);
     std::copy(source_ids.begin(), source_ids.end(), ids.begin());
     std::copy(target_ids.begin(), target_ids.end(), ids.end() - static_cast<std::ptrdiff_t>(target_ids.size()));
     for (std::size_t k = 1; k < swept.layer_count(); ++k) {
@@ -45,7 +45,7 @@ PAVIOR_INLINE std::vector<Index> store_sweep(BoundaryMesh& mesh, const SweepMesh
             ids[first + loops.nodes[i]] = levels.level(k)[i];
         }
         for (std::size_t i = first; i < first + swept.level_size(); ++i) {
-            ids[i] = ids[i] == no_node ? mesh.add_node(swept.nodes()[i]) : ids[i];
+            ids[i] = ids[i] == no_index ? mesh.add_node(swept.nodes()[i]) : ids[i];
         }
     }
     return ids;

@@ -65,7 +65,7 @@ TargetMesh mesh_target(const B& b, BoundaryMesh& mesh, const SweepTopology& swee
     const std::span<const Index> loop = levels.level(levels.layers);
     std::vector<Vec2> loop_uv;
     for (const Index id : loop) {
-        PAVIOR_ASSERT(on_boundary(id) != no_node);
+        PAVIOR_ASSERT(on_boundary(id) != no_index);
         loop_uv.push_back(boundary.uv[on_boundary(id)]);
     }
     const SourceCap source{problem.source_nodes, mesh.faces[sweep.source.index()].uv, problem.quads, problem.loops};
@@ -73,12 +73,12 @@ TargetMesh mesh_target(const B& b, BoundaryMesh& mesh, const SweepTopology& swee
         project_target(FaceSurface<B>{&b, sweep.target}, source, loop_uv, positions(mesh, loop), options);
 
     FaceMesh& target = mesh.faces[sweep.target.index()];
-    target.nodes.assign(problem.source_nodes.size(), no_node);
+    target.nodes.assign(problem.source_nodes.size(), no_index);
     for (std::size_t i = 0; i < loop.size(); ++i) {
         target.nodes[problem.loops.nodes[i]] = loop[i];
     }
     for (std::size_t i = 0; i < target.nodes.size(); ++i) {
-        if (target.nodes[i] == no_node) {
+        if (target.nodes[i] == no_index) {
             target.nodes[i] = mesh.add_node(projected.nodes[i]);
         }
     }

@@ -75,7 +75,7 @@ template <brep B>
 class MethodChooser {
 public:
     MethodChooser(const B& b, std::span<const SolidWays> ways, BoundaryMesh& given)
-        : b_(b), ways_(ways), given_(given), chosen_(ways.size(), none) {
+        : b_(b), ways_(ways), given_(given), chosen_(ways.size(), no_position) {
         given_.faces.resize(b.face_count());
         for (std::size_t f = 0; f < given_.faces.size(); ++f) {
             if (!given_.faces[f].empty()) {
@@ -90,7 +90,7 @@ public:
         for (bool grown = true; grown;) {
             grown = false;
             for (std::size_t w = 0; w < ways_.size(); ++w) {
-                if (chosen_[w] == none && touches_fixed(ways_[w].solid)) {
+                if (chosen_[w] == no_position && touches_fixed(ways_[w].solid)) {
                     choose(w);
                     grown = true;
                 }
@@ -98,7 +98,7 @@ public:
         }
         MethodChoice result;
         for (std::size_t w = 0; w < ways_.size(); ++w) {
-            const bool free = chosen_[w] == none;
+            const bool free = chosen_[w] == no_position;
             if (chosen_[w] == submapped || (free && ways_[w].submap && (prefer_submap || ways_[w].sweeps.empty()))) {
                 result.submaps.push_back(ways_[w].solid);
             } else {
@@ -109,8 +109,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t none = static_cast<std::size_t>(-1);
-    static constexpr std::size_t submapped = none - 1;
+    static constexpr std::size_t submapped = no_position - 1;
 
     [[nodiscard]] bool fixed(FaceId f) const { return fixed_.contains(f); }
 
@@ -151,13 +150,13 @@ private:
     void choose(std::size_t w) {
         const std::vector<SweepTopology>& sweeps = ways_[w].sweeps;
         for (const bool both_caps : {false, true}) {
-            for (std::size_t i = 0; i < sweeps.size() && chosen_[w] == none; ++i) {
+            for (std::size_t i = 0; i < sweeps.size() && chosen_[w] == no_position; ++i) {
                 if ((both_caps || !fixed(sweeps[i].source) || !fixed(sweeps[i].target)) && fits(sweeps[i])) {
                     chosen_[w] = i;
                 }
             }
         }
-        if (chosen_[w] == none) {
+        if (chosen_[w] == no_position) {
             if (!ways_[w].submap || !given_only(ways_[w].solid)) {
                 throw no_fit(ways_[w].solid);
             }

@@ -43,7 +43,7 @@ namespace detail {
 /// The lattice of a solid with the node ids of its boundary.
 struct SolidShell {
     LogicalGrid<3> grid;
-    std::vector<Index> nodes;  ///< per grid node; no_node inside
+    std::vector<Index> nodes;  ///< per grid node; no_index inside
     LatticeLayers<3> layers;
 };
 
@@ -67,7 +67,7 @@ template <brep B>
                          "the numbers of intervals make the solid overlap itself at face " + std::to_string(tag),
                          {tag});
     }
-    shell.nodes.assign(shell.grid.node_count(), no_node);
+    shell.nodes.assign(shell.grid.node_count(), no_index);
     LayerWidths<3> widths(shell.grid);
     for (std::size_t f = 0; f < solid.sides.size(); ++f) {
         const FaceId id = solid.sides[f].face.face;
@@ -76,7 +76,7 @@ template <brep B>
         const SidePlace& place = lattice.sides[f];
         grid.for_each_node([&](Index n, const LatticePoint<2>& p) {
             Index& at = shell.nodes[shell.grid.node(place(p))];
-            if (at != no_node && at != face.nodes[n]) {
+            if (at != no_index && at != face.nodes[n]) {
                 const int tag = b.tag(2, id.index());
                 throw InputError(ErrorCode::infeasible_intervals,
                                  "the numbers of intervals make face " + std::to_string(tag) + " touch another", {tag});
@@ -137,7 +137,7 @@ SubmapSolid submap_solid(const B& b, BoundaryMesh& mesh, const SubmapModel& mode
     std::vector<Vec3> points(shell.nodes.size(), Vec3::Zero());
     std::vector<std::uint8_t> fixed(points.size(), 0);
     for (std::size_t n = 0; n < points.size(); ++n) {
-        if (shell.nodes[n] != no_node) {
+        if (shell.nodes[n] != no_index) {
             points[n] = mesh.nodes[shell.nodes[n]];
             fixed[n] = 1;
         } else {
@@ -149,7 +149,7 @@ SubmapSolid submap_solid(const B& b, BoundaryMesh& mesh, const SubmapModel& mode
     shell.grid.for_each_node([&](Index, const LatticePoint<3>& p) { result.lattice.push_back(p); });
     result.nodes = std::move(shell.nodes);
     for (std::size_t n = 0; n < points.size(); ++n) {
-        if (result.nodes[n] == no_node) {
+        if (result.nodes[n] == no_index) {
             result.nodes[n] = mesh.add_node(points[n]);
         }
     }

@@ -58,7 +58,7 @@ PAVIOR_INLINE InnerLayers::GroupCorrection InnerLayers::correct(std::size_t firs
     GroupCorrection group;
     for (std::size_t k = first; k < last; ++k) {
         const bool wanted = correction_ != BoundaryCorrection::none && is_inner(k) && !maps_[k - 1].exact;
-        group.column.push_back(wanted ? group.columns : none);
+        group.column.push_back(wanted ? group.columns : no_position);
         group.columns += wanted ? 3 : 0;
     }
     if (group.columns == 0) {
@@ -68,7 +68,7 @@ PAVIOR_INLINE InnerLayers::GroupCorrection InnerLayers::correct(std::size_t firs
     Eigen::MatrixXd source(m, static_cast<Eigen::Index>(group.columns));
     Eigen::MatrixXd target(m, static_cast<Eigen::Index>(group.columns));
     for (std::size_t k = first; k < last; ++k) {
-        if (group.column[k - first] != none) {
+        if (group.column[k - first] != no_position) {
             const auto column = static_cast<Eigen::Index>(group.column[k - first]);
             set_residuals(k, source.middleCols<3>(column), target.middleCols<3>(column));
         }
@@ -119,7 +119,7 @@ PAVIOR_INLINE void InnerLayers::write_block(const GroupCorrection& group, std::s
     for (std::size_t k = first; k < last; ++k) {
         if (is_inner(k)) {
             const std::size_t column = group.column[k - first];
-            const double* correction = column == none ? nullptr : field.data() + column * block;
+            const double* correction = column == no_position ? nullptr : field.data() + column * block;
             double* nodes = out[(k - first) * level_size() + begin].data();
             apply_level(operators_[k - 1], caps_.rows(), correction, block, begin, end, nodes, options);
         }

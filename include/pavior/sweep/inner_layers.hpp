@@ -74,12 +74,11 @@ private:
 
     /// What the correction of a group of levels needs: the columns of each, and both caps' prepared residuals.
     struct GroupCorrection {
-        std::vector<std::size_t> column;  ///< first column of level first + j, or none
+        std::vector<std::size_t> column;  ///< first column of level first + j, or no_position
         std::size_t columns = 0;
         BoundaryError::Prepared source;
         BoundaryError::Prepared target;
     };
-    static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
     [[nodiscard]] bool is_inner(std::size_t k) const { return k > 0 && k < problem_.layers; }
 

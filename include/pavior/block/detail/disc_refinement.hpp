@@ -96,12 +96,12 @@ struct DiscEdges {
     return place.side == s ? place.t : 1.0;
 }
 
-/// The triangles that a triangle falls into when its marked edges are halved; middles[k] of edge k, or none.
+/// The triangles that a triangle falls into when its marked edges are halved; middles[k] of edge k, or no_index.
 template <class Emit>
-void split_triangle(const TriCorners& c, const std::array<Index, 3>& middles, Index none, const Emit& emit) {
+void split_triangle(const TriCorners& c, const std::array<Index, 3>& middles, const Emit& emit) {
     std::uint32_t first = 0;  // turned so that the marked edges come first
-    const auto marked = [&](std::uint32_t k) { return middles[(first + k) % 3] != none; };
-    const auto count = static_cast<std::uint32_t>(3 - std::count(middles.begin(), middles.end(), none));
+    const auto marked = [&](std::uint32_t k) { return middles[(first + k) % 3] != no_index; };
+    const auto count = static_cast<std::uint32_t>(3 - std::count(middles.begin(), middles.end(), no_index));
     while (count > 0 && count < 3 && !(marked(0) && !marked(2))) {
         ++first;
     }
@@ -127,8 +127,7 @@ void split_triangle(const TriCorners& c, const std::array<Index, 3>& middles, In
 /// Halves the edges that split(edge) names.
 template <class Split>
 [[nodiscard]] Disc split_edges(Disc disc, const DiscEdges& edges, const Split& split) {
-    constexpr Index none = std::numeric_limits<Index>::max();
-    std::vector<Index> middle(edges.nodes.size(), none);
+    std::vector<Index> middle(edges.nodes.size(), no_index);
     for (std::size_t e = 0; e < edges.nodes.size(); ++e) {
         if (!split(e)) {
             continue;
@@ -145,7 +144,7 @@ template <class Split>
     std::vector<Index> origin;
     for (std::size_t t = 0; t < disc.triangles.size(); ++t) {
         const auto& e = edges.of_triangle[t];
-        split_triangle(disc.triangles[t], {middle[e[0]], middle[e[1]], middle[e[2]]}, none, [&](const TriCorners& c) {
+        split_triangle(disc.triangles[t], {middle[e[0]], middle[e[1]], middle[e[2]]}, [&](const TriCorners& c) {
             triangles.push_back(c);
             origin.push_back(disc.origin[t]);
         });

@@ -2,8 +2,8 @@
 /// \file
 /// The chains of a cell complex.
 
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/dual/classify.hpp>
-#include <pavior/dual/detail/index_sets.hpp>
 
 #include <algorithm>
 #include <array>
@@ -48,7 +48,7 @@ public:
 
 private:
     void number() {
-        IndexSets sets(topology_.edges.size());
+        DisjointSets sets(topology_.edges.size());
         for (const Index e : IndexRange(topology_.edges.size())) {
             if (classes_.edge[e] != EntityClass::stack) {
                 continue;

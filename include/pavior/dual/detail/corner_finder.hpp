@@ -2,8 +2,8 @@
 /// \file
 /// The corners of the cells of a cell complex.
 
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/dual/classify.hpp>
-#include <pavior/dual/detail/index_sets.hpp>
 
 #include <algorithm>
 #include <array>

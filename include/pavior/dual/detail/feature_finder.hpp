@@ -2,8 +2,8 @@
 /// \file
 /// The search for feature edges behind make_reference_mesh().
 
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/dual/boundary_surface.hpp>
-#include <pavior/dual/detail/index_sets.hpp>
 #include <pavior/dual/reference_mesh.hpp>
 
 #include <algorithm>
@@ -63,7 +63,7 @@ public:
     }
 
     /// The sets of feature edges that form one curve: chains between feature vertices.
-    [[nodiscard]] IndexSets curves() const {
+    [[nodiscard]] DisjointSets<> curves() const {
         return chains([](Index, Index) { return true; });
     }
 
@@ -115,10 +115,10 @@ private:
 
     /// The sets of feature edges that follow each other where no others end and joined(edge, edge) allows.
     template <class Joined>
-    [[nodiscard]] IndexSets chains(const Joined& joined) const {
+    [[nodiscard]] DisjointSets<> chains(const Joined& joined) const {
         const std::vector<Index> valence = valences();
         std::vector<Index> first(valence.size(), no_index);
-        IndexSets sets(kinds_.size());
+        DisjointSets sets(kinds_.size());
         for (const Index s : IndexRange(kinds_.size())) {
             if (kinds_[s] == CurveKind::smooth) {
                 continue;
@@ -152,7 +152,7 @@ private:
     }
 
     /// Members of each set of feature edges, one set after the other.
-    [[nodiscard]] std::vector<std::vector<Index>> members(IndexSets sets) const {
+    [[nodiscard]] std::vector<std::vector<Index>> members(DisjointSets<> sets) const {
         std::vector<Index> id;
         const Index count = number_sets(sets, id, [&](Index s) { return kinds_[s] != CurveKind::smooth; });
         std::vector<std::vector<Index>> result(count);
@@ -165,7 +165,7 @@ private:
     }
 
     /// One kind for each curve, unless it turns from convex to re-entrant on its way.
-    void even_out(const IndexSets& sets) {
+    void even_out(const DisjointSets<>& sets) {
         for (const std::vector<Index>& curve : members(sets)) {
             const auto convex =
                 std::count_if(curve.begin(), curve.end(), [&](Index s) { return kinds_[s] == CurveKind::end; });
@@ -206,7 +206,7 @@ private:
             kinds_[at] = wish.kind;
             return;
         }
-        IndexSets sets = curves();
+        DisjointSets<> sets = curves();
         const Index root = sets.root(at);
         for (const Index s : IndexRange(kinds_.size())) {
             if (kinds_[s] != CurveKind::smooth && sets.root(s) == root) {

@@ -2,8 +2,8 @@
 /// \file
 /// The layer faces round edges and nodes, for verify_dual().
 
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/dual/classify.hpp>
-#include <pavior/dual/detail/index_sets.hpp>
 
 #include <algorithm>
 #include <array>
@@ -40,7 +40,7 @@ public:
     /// Nodes of class layer with not one fan of layer faces, nodes of class stack with a fan that does not lead from
     /// one stack edge to the other. Nodes where layers or chains dangle are left out.
     [[nodiscard]] std::vector<Index> pinched_nodes() {
-        IndexSets fans(3 * faces_.size());
+        DisjointSets fans(3 * faces_.size());
         for (const Index l : IndexRange(faces_.size())) {
             for (const Index e : topology_.face_edges[faces_[l]]) {
                 if (classes_.edge[e] == EntityClass::layer && first_[e] == no_index) {
@@ -94,7 +94,7 @@ private:
     }
 
     /// The stack edges at which each fan ends.
-    [[nodiscard]] std::vector<std::array<Index, 2>> fan_ends(IndexSets& fans) const {
+    [[nodiscard]] std::vector<std::array<Index, 2>> fan_ends(DisjointSets<>& fans) const {
         std::vector<std::array<Index, 2>> ends(fans.size(), {no_index, no_index});
         for (const Index l : IndexRange(faces_.size())) {
             for (const Index e : topology_.face_edges[faces_[l]]) {

@@ -2,8 +2,8 @@
 /// \file
 /// The boundary loops of the patches of a cell complex.
 
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/dual/classify.hpp>
-#include <pavior/dual/detail/index_sets.hpp>
 
 #include <algorithm>
 #include <array>

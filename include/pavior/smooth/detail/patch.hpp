@@ -31,7 +31,11 @@ public:
 
     /// \param fixed  one flag per node; corner ids lie in [0, fixed.size()). Both spans must outlive the finder.
     PatchFinder(std::span<const Corners> cells, std::span<const std::uint8_t> fixed)
-        : cells_(cells), fixed_(fixed), reached_(fixed.size(), 0), local_(fixed.size(), none), taken_(cells.size(), 0) {
+        : cells_(cells),
+          fixed_(fixed),
+          reached_(fixed.size(), 0),
+          local_(fixed.size(), no_index),
+          taken_(cells.size(), 0) {
         offsets_.assign(fixed.size() + 1, 0);
         for (const Corners& cell : cells) {
             for (const Index i : cell) {
@@ -57,7 +61,7 @@ public:
         std::sort(nodes.begin(), nodes.end());
         std::vector<Patch<D>> patches;
         for (const Index i : nodes) {
-            if (fixed_[i] == 0 && local_[i] == none) {
+            if (fixed_[i] == 0 && local_[i] == no_index) {
                 patches.push_back(component(i));
             }
         }
@@ -76,8 +80,6 @@ public:
     }
 
 private:
-    static constexpr Index none = static_cast<Index>(-1);
-
     std::vector<Index> reach(std::span<const Index> seeds, int rings) {
         std::vector<Index> nodes;
         const auto add_cell = [&](Index c) {
@@ -130,7 +132,7 @@ private:
                 continue;
             }
             patch.complete = patch.complete && reached_[i] != 0;
-            if (reached_[i] != 0 && local_[i] == none) {
+            if (reached_[i] != 0 && local_[i] == no_index) {
                 local_[i] = 0;
                 patch.nodes.push_back(i);
             }
@@ -146,7 +148,7 @@ private:
         for (const Index c : patch.cell_ids) {
             Corners corners = cells_[c];
             for (Index& i : corners) {
-                if (local_[i] == none) {
+                if (local_[i] == no_index) {
                     local_[i] = static_cast<Index>(patch.nodes.size());
                     patch.nodes.push_back(i);
                 }
@@ -155,13 +157,13 @@ private:
             patch.cells.push_back(corners);
         }
         for (std::size_t k = patch.free_count; k < patch.nodes.size(); ++k) {
-            local_[patch.nodes[k]] = none;
+            local_[patch.nodes[k]] = no_index;
         }
     }
 
     void release(const Patch<D>& patch) {
         for (std::size_t k = 0; k < patch.free_count; ++k) {
-            local_[patch.nodes[k]] = none;
+            local_[patch.nodes[k]] = no_index;
         }
         for (const Index c : patch.cell_ids) {
             taken_[c] = 0;

@@ -2,6 +2,7 @@
 /// \file
 /// Comparison of given loops with the boundary of a mesh.
 
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/mesh/cells.hpp>
 #include <pavior/mesh/verify_quads.hpp>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -58,13 +58,12 @@ struct LoopMatch {
     return std::nullopt;
 }
 
-/// For each boundary node its neighbours along the boundary, `none` elsewhere.
+/// For each boundary node its neighbours along the boundary, no_index elsewhere.
 struct BoundaryNeighbours {
-    static constexpr Index none = std::numeric_limits<Index>::max();
     std::vector<Index> next;
     std::vector<Index> previous;
 
-    BoundaryNeighbours(const Loops& boundary, std::size_t nodes) : next(nodes, none), previous(nodes, none) {
+    BoundaryNeighbours(const Loops& boundary, std::size_t nodes) : next(nodes, no_index), previous(nodes, no_index) {
         for (std::size_t l = 0; l < boundary.size(); ++l) {
             const auto loop = boundary[l];
             for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -96,7 +95,7 @@ struct BoundaryNeighbours {
 [[nodiscard]] inline LoopMatch match_nodes(const Loops& loops, const Loops& boundary,
                                            const BoundaryNeighbours& neighbours) {
     for (const Index i : loops.nodes) {
-        if (neighbours.next[i] == BoundaryNeighbours::none) {
+        if (neighbours.next[i] == no_index) {
             return mismatch("node " + std::to_string(i) + " of the loops is not on the boundary of the mesh", {i});
         }
     }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Union-find over node, edge, face or tetrahedron ids.
+/// Union-find over node, edge, face or cell ids.
 
 #include <pavior/core/index.hpp>
 
@@ -11,44 +11,54 @@
 #include <utility>
 #include <vector>
 
-namespace pavior::detail {
+namespace pavior {
 
-/// Disjoint sets over [0, n); the root of a set is its smallest member, in whatever order sets were united. 4 bytes a
-/// member.
-class IndexSets {
+/// Disjoint sets over [0, n), each member alone at first; \p T (unsigned) holds a member, sizeof(T) bytes each. The root
+/// of a set is its smallest member, in whatever order and by however many threads sets were united: what is numbered by
+/// roots is the same bytes always. Members are not checked. root() and unite() take O(log n) amortized; they shorten
+/// paths, so that only the members named *_shared, and root() of a const object, may be called from several threads.
+template <class T = Index>
+class DisjointSets {
 public:
-    explicit IndexSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
+    explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), T{0}); }
 
+    /// The number of members.
     [[nodiscard]] std::size_t size() const { return parent_.size(); }
     /// The smallest member of the set of \p i.
-    [[nodiscard]] Index root(Index i) {
+    [[nodiscard]] T root(T i) {
         while (parent_[i] != i) {
             parent_[i] = parent_[parent_[i]];
             i = parent_[i];
         }
         return i;
     }
-    void unite(Index i, Index j) {
+    [[nodiscard]] T root(T i) const {
+        while (parent_[i] != i) {
+            i = parent_[i];
+        }
+        return i;
+    }
+    void unite(T i, T j) {
         i = root(i);
         j = root(j);
         parent_[std::max(i, j)] = std::min(i, j);
     }
-    [[nodiscard]] bool same(Index i, Index j) { return root(i) == root(j); }
-    /// Unites the set of \p i with that of which \p root is the root; returns the new root. Fast where i hangs there
-    /// already.
-    Index attach(Index i, Index root_of_set) {
+    [[nodiscard]] bool same(T i, T j) { return root(i) == root(j); }
+    /// Unites the set of \p i with that of which \p root_of_set is the root; returns the new root. Fast where \p i hangs
+    /// there already.
+    T attach(T i, T root_of_set) {
         if (parent_[i] == root_of_set) {
             return root_of_set;
         }
-        const Index other = root(i);
-        const Index low = std::min(other, root_of_set);
+        const T other = root(i);
+        const T low = std::min(other, root_of_set);
         parent_[std::max(other, root_of_set)] = low;
         parent_[i] = low;
         return low;
     }
 
     /// As unite(), from any number of threads at once.
-    void unite_shared(Index i, Index j) {
+    void unite_shared(T i, T j) {
         while (true) {
             i = root_shared(i);
             j = root_shared(j);
@@ -58,20 +68,20 @@ public:
             if (i < j) {
                 std::swap(i, j);
             }
-            Index expected = i;
+            T expected = i;
             if (at(i).compare_exchange_strong(expected, j, std::memory_order_acq_rel, std::memory_order_relaxed)) {
                 return;
             }
         }
     }
     /// As root(), from any number of threads at once.
-    [[nodiscard]] Index root_shared(Index i) {
+    [[nodiscard]] T root_shared(T i) {
         while (true) {
-            Index up = at(i).load(std::memory_order_acquire);
+            T up = at(i).load(std::memory_order_acquire);
             if (up == i) {
                 return i;
             }
-            const Index next = at(up).load(std::memory_order_acquire);
+            const T next = at(up).load(std::memory_order_acquire);
             if (next == up) {
                 return up;
             }
@@ -81,15 +91,15 @@ public:
     }
 
 private:
-    [[nodiscard]] std::atomic_ref<Index> at(Index i) { return std::atomic_ref<Index>(parent_[i]); }
+    [[nodiscard]] std::atomic_ref<T> at(T i) { return std::atomic_ref<T>(parent_[i]); }
 
-    std::vector<Index> parent_;
+    std::vector<T> parent_;
 };
 
-/// Numbers the sets 0, 1, 2 ... in the order of their smallest members: id[i] for members with used(i), else no_index.
-/// \returns the number of sets
+/// Numbers the sets 0, 1, 2 ... in the order of their smallest members: id[i] for members with used(i), which must hold
+/// for all members of a set or for none, else no_index. \returns the number of sets in use
 template <class Used>
-[[nodiscard]] Index number_sets(IndexSets& sets, std::vector<Index>& id, const Used& used) {
+Index number_sets(DisjointSets<>& sets, std::vector<Index>& id, const Used& used) {
     id.assign(sets.size(), no_index);
     Index count = 0;
     for (const Index i : IndexRange(sets.size())) {
@@ -115,4 +125,4 @@ template <class Used>
     return first;
 }
 
-}  // namespace pavior::detail
+}  // namespace pavior
