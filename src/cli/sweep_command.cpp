@@ -80,7 +80,7 @@ Swept sweep_cad_file(const SweepCommand& command, const Progress& progress) {
     Swept swept;
     swept.report = detail::to_json(model, made);
     swept.warnings = std::move(made.warnings);
-    swept.data = grouped(model, solids, made.mesh);
+    swept.data = grouped(model, solids, std::move(made.mesh));
     return swept;
 }
 

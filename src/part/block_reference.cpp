@@ -103,7 +103,7 @@ BlockReference detail::GmshReferenceMesher::operator()(SolidId solid, double siz
     result.cad = true;
     result.surface = part_of(triangulate_for(*model, size).surface, std::move(faces));
     result.read_seconds = watch.lap();
-    result.mesh = make_reference_mesh(tetrahedralize(result.surface, {}), features);
+    result.mesh = make_reference_mesh(tetrahedralize(result.surface), features);
     result.tetra_seconds = watch.lap();
     return result;
 }

@@ -18,18 +18,16 @@ TEST_CASE("Groups bear the tags of solids and faces, each face once") {
     }
 }
 
-TEST_CASE("A mesh of entities becomes a mesh of groups, and moves") {
-    struct {
-        HexMesh mesh{std::vector<Vec3>(8, Vec3::Zero()), {{0, 1, 2, 3, 4, 5, 6, 7}}};
-        std::vector<SolidId> hex_solid{SolidId{1}};
-        std::vector<QuadCorners> quads{{0, 1, 2, 3}};
-        std::vector<FaceId> quad_face{FaceId{2}};
-    } made;
+TEST_CASE("A mesh of entities becomes a mesh of groups") {
+    SolidsMesh made;
+    made.mesh = {std::vector<Vec3>(8, Vec3::Zero()), {{0, 1, 2, 3, 4, 5, 6, 7}}};
+    made.hex_solid = {SolidId{1}};
+    made.quads = {{0, 1, 2, 3}};
+    made.quad_face = {FaceId{2}};
     TestBrep b;
     const std::vector<SolidId> solids = add_box_row(b, {0, 1, 2});
-    const HexMeshData data = grouped(b, solids, made);
+    const HexMeshData data = grouped(b, solids, std::move(made));
     CHECK(data.mesh.hexes.size() == 1);
-    CHECK(made.mesh.nodes.empty());
     CHECK(data.hex_groups == std::vector{b.tag(3, 1)});
     CHECK(data.quad_groups == std::vector{b.tag(2, 2)});
 }

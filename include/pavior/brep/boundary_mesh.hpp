@@ -5,22 +5,19 @@
 
 #include <pavior/brep/brep.hpp>
 #include <pavior/brep/edge_mesh.hpp>
+#include <pavior/brep/solids_mesh.hpp>
 #include <pavior/core/assert.hpp>
 #include <pavior/core/compiled.hpp>
 #include <pavior/mesh/cells.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <unordered_map>
 #include <vector>
 
 namespace pavior {
-
-/// "No node".
-inline constexpr Index no_node = std::numeric_limits<Index>::max();
 
 /// Nodes of one edge, in the sense of its parameter; both ends included. Empty if not meshed.
 struct EdgeNodes {
@@ -43,7 +40,7 @@ struct FaceMesh {
 /// Nodes and cells of the boundary of a model, in arrays by entity id.
 struct BoundaryMesh {
     std::vector<Vec3> nodes;
-    std::vector<Index> vertices;  ///< node of each vertex, no_node if not meshed
+    std::vector<Index> vertices;  ///< node of each vertex, no_index if not meshed
     std::vector<EdgeNodes> edges;
     std::vector<FaceMesh> faces;
 
@@ -59,12 +56,12 @@ struct BoundaryMesh {
 template <brep B>
 [[nodiscard]] BoundaryMesh mesh_edges(const B& b, std::span<const int> intervals,
                                       std::span<const std::vector<double>> parameters = {}, BoundaryMesh mesh = {}) {
-    mesh.vertices.resize(b.vertex_count(), no_node);
+    mesh.vertices.resize(b.vertex_count(), no_index);
     mesh.edges.resize(b.edge_count());
     mesh.faces.resize(b.face_count());
     const auto vertex = [&](VertexId v) {
         Index& at = mesh.vertices[v.index()];
-        if (at == no_node) {
+        if (at == no_index) {
             at = mesh.add_node(b.vertex_point(v));
         }
         return at;
@@ -123,7 +120,7 @@ public:
     explicit PositionOf(std::span<const Index> ids);
     [[nodiscard]] Index operator()(Index id) const {
         const auto found = positions_.find(id);
-        return found == positions_.end() ? no_node : found->second;
+        return found == positions_.end() ? no_index : found->second;
     }
 
 private:
@@ -135,11 +132,11 @@ class Renumbering {
 public:
     Renumbering(const BoundaryMesh& mesh, std::vector<Vec3>& nodes, std::size_t kept = 0) : mesh_(mesh), nodes_(nodes) {
         nodes_.assign(mesh.nodes.begin(), mesh.nodes.begin() + static_cast<std::ptrdiff_t>(kept));
-        number_.assign(mesh.nodes.size(), no_node);
+        number_.assign(mesh.nodes.size(), no_index);
         std::iota(number_.begin(), number_.begin() + static_cast<std::ptrdiff_t>(kept), Index{0});
     }
     Index operator()(Index id) {
-        if (number_[id] == no_node) {
+        if (number_[id] == no_index) {
             number_[id] = static_cast<Index>(nodes_.size());
             nodes_.push_back(mesh_.nodes[id]);
         }
@@ -152,9 +149,9 @@ private:
     std::vector<Index> number_;
 };
 
-/// Appends the meshes of the faces, but for those for which left_out(face) is true, to the quads of a Result.
-template <class Result, class LeftOut>
-void append_faces(Result& result, const BoundaryMesh& mesh, Renumbering& number, LeftOut&& left_out) {
+/// Appends the meshes of the faces, but for those for which left_out(face) is true, to the quads of a SolidsMesh.
+template <class LeftOut>
+void append_faces(SolidsMesh& result, const BoundaryMesh& mesh, Renumbering& number, LeftOut&& left_out) {
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
         const FaceId id{static_cast<std::int32_t>(f)};
         if (left_out(id)) {

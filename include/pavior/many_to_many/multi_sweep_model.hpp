@@ -4,6 +4,7 @@
 
 #include <pavior/brep/face_distance.hpp>
 #include <pavior/brep/snap_to_faces.hpp>
+#include <pavior/brep/solids_mesh.hpp>
 #include <pavior/core/compiled.hpp>
 #include <pavior/intervals/integer_program.hpp>
 #include <pavior/many_to_many/brep_body.hpp>
@@ -31,12 +32,8 @@ struct SweepPath {
     EdgeChain ribs;                  ///< of a path parallel to them; sweep_paths()
 };
 
-/// Hexahedra of a model with their entities.
-struct MultiSweptModel {
-    HexMesh mesh;
-    std::vector<SolidId> hex_solid;  ///< one a hexahedron
-    std::vector<QuadCorners> quads;  ///< mesh of the faces, about the face's own normal
-    std::vector<FaceId> quad_face;   ///< one a quad
+/// Hexahedra of a model with their entities, and how they were swept.
+struct MultiSweptModel : SolidsMesh {
     SweepPath path;
     MultiSweepReport report;
 };

@@ -2,9 +2,9 @@
 /// \file
 /// Sweeps all solids of a CAD model into one conforming hexahedral mesh.
 
+#include <pavior/brep/solids_mesh.hpp>
 #include <pavior/core/compiled.hpp>
 #include <pavior/core/progress.hpp>
-#include <pavior/mesh/span_mesh.hpp>
 #include <pavior/one_to_one/cap_order.hpp>
 #include <pavior/one_to_one/mesh_linking_side.hpp>
 #include <pavior/one_to_one/rib_parameters.hpp>
@@ -37,12 +37,8 @@ struct SolidReport {
 
 /// Hexahedra of a model with their entities. Nodes of the first solid come level by level in the order of its source;
 /// those of each further solid follow in the same way, as far as they are new. Hexahedra come solid by solid, layer by
-/// layer, in the order of the quads of the source.
-struct ModelMesh {
-    HexMesh mesh;
-    std::vector<SolidId> hex_solid;        ///< one a hexahedron
-    std::vector<QuadCorners> quads;        ///< mesh of the faces, by face, about the face's own normal
-    std::vector<FaceId> quad_face;         ///< one a quad
+/// layer, in the order of the quads of the source; quads face by face.
+struct ModelMesh : SolidsMesh {
     std::vector<SolidReport> solids;       ///< in the order of meshing
     std::vector<LinkingFaceReport> sides;  ///< linking sides
 };

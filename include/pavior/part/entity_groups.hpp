@@ -2,6 +2,7 @@
 /// \file
 /// Meshes of solids as groups: hexahedra by solid, quads by face, with the numbers and names of the CAD file.
 
+#include <pavior/brep/solids_mesh.hpp>
 #include <pavior/mesh/grouped_mesh.hpp>
 #include <pavior/part/model_extras.hpp>
 
@@ -37,16 +38,16 @@ template <brep B>
     return groups;
 }
 
-/// \p result, which is left empty, with its groups. \p Result has mesh, hex_solid, quads and quad_face.
-template <brep B, class Result>
-[[nodiscard]] HexMeshData grouped(const B& b, std::span<const SolidId> solids, Result& result) {
+/// \p mesh with its groups.
+template <brep B>
+[[nodiscard]] HexMeshData grouped(const B& b, std::span<const SolidId> solids, SolidsMesh mesh) {
     HexMeshData data;
-    data.mesh = std::move(result.mesh);
-    data.quads = std::move(result.quads);
-    for (const SolidId solid : result.hex_solid) {
+    data.mesh = std::move(mesh.mesh);
+    data.quads = std::move(mesh.quads);
+    for (const SolidId solid : mesh.hex_solid) {
         data.hex_groups.push_back(b.tag(3, solid.index()));
     }
-    for (const FaceId face : result.quad_face) {
+    for (const FaceId face : mesh.quad_face) {
         data.quad_groups.push_back(b.tag(2, face.index()));
     }
     data.groups = entity_groups(b, solids);

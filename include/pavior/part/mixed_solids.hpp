@@ -3,11 +3,11 @@
 /// Touching solids, each meshed by the method that suits it, conforming.
 
 #include <pavior/brep/neighbour_boundary.hpp>
+#include <pavior/brep/solids_mesh.hpp>
 #include <pavior/brep/touching_solids.hpp>
 #include <pavior/core/execution.hpp>
 #include <pavior/intervals/integer_program.hpp>
 #include <pavior/many_to_many/multi_sweep_model.hpp>
-#include <pavior/mesh/append_mesh.hpp>
 #include <pavior/part/mixed_model.hpp>
 #include <pavior/part/solid_methods.hpp>
 
@@ -30,22 +30,11 @@ struct MixedOptions {
 };
 
 /// Hexahedra of a model with their entities: groups of many-to-many sweeps, swept solids, submapped solids.
-struct MixedSolids {
-    HexMesh mesh;
-    std::vector<SolidId> hex_solid;  ///< one a hexahedron
-    std::vector<QuadCorners> quads;  ///< mesh of the faces, about the face's own normal
-    std::vector<FaceId> quad_face;   ///< one a quad
+struct MixedSolids : SolidsMesh {
     std::map<SolidId, SolidMethod> methods;
 };
 
 namespace detail {
-
-/// Appends the mesh of one group.
-inline void append_group(MixedSolids& result, const MultiSweptModel& group) {
-    append_mesh(group.mesh, group.quads, result.mesh, result.quads);
-    result.hex_solid.insert(result.hex_solid.end(), group.hex_solid.begin(), group.hex_solid.end());
-    result.quad_face.insert(result.quad_face.end(), group.quad_face.begin(), group.quad_face.end());
-}
 
 /// Faces of \p done with an edge that one of \p others has, too.
 template <brep B>
@@ -100,13 +89,7 @@ void add_mixed(const B& b, std::span<const SolidWays> ways, BoundaryMesh given, 
     MixedModelOptions how;
     how.sweep.solid.sweep.execution = options.execution;
     how.submap.execution = options.execution;
-    MixedMesh mesh = mixed_model(b, choice.sweeps, submaps, numbers, cap_mesher, std::move(given), how);
-    result.mesh.nodes = std::move(mesh.mesh.nodes);
-    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    append(result.mesh.hexes, mesh.mesh.hexes);
-    append(result.hex_solid, mesh.hex_solid);
-    append(result.quads, mesh.quads);
-    append(result.quad_face, mesh.quad_face);
+    extend_solids(mixed_model(b, choice.sweeps, submaps, numbers, cap_mesher, std::move(given), how), result);
     for (const SolidId solid : choice.submaps) {
         result.methods[solid] = SolidMethod::submap;
     }
@@ -147,7 +130,7 @@ template <brep B, plane_imprinter I, integer_solver Solver, region_mesher M, cap
         if (!swept.mesh) {
             throw no_mesh_error(swept);
         }
-        detail::append_group(base, *swept.mesh);
+        append_solids(*swept.mesh, base);
         for (const SolidId solid : group) {
             base.methods[solid] = SolidMethod::multi_sweep;
         }

@@ -25,6 +25,7 @@
 #include <span>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace pavior {
 
@@ -48,7 +49,7 @@ public:
         for (const SubmapSolidReport& solid : mesh.solids) {
             result_.notes.push_back(note_of(solid));
         }
-        result_.data = grouped(b_, solids_, mesh);
+        result_.data = grouped(b_, solids_, std::move(mesh));
     }
 
     void sweep() {
@@ -63,7 +64,7 @@ public:
                                     std::to_string(b_.tag(2, solid.target.index())) + " in " +
                                     std::to_string(solid.layers) + " layers");
         }
-        result_.data = grouped(b_, solids_, swept.mesh);
+        result_.data = grouped(b_, solids_, std::move(swept.mesh));
     }
 
     template <class OutOfTime>
@@ -80,7 +81,7 @@ public:
         if (!best.mesh) {
             throw no_mesh_error(best);
         }
-        result_.data = grouped(b_, solids_, *best.mesh);
+        result_.data = grouped(b_, solids_, std::move(*best.mesh));
     }
 
     template <class OutOfTime>
@@ -100,7 +101,7 @@ public:
             result_.notes.push_back("solid " + std::to_string(b_.tag(3, solid.index())) + ": " +
                                     std::string(to_string(method)));
         }
-        result_.data = grouped(b_, solids_, mesh);
+        result_.data = grouped(b_, solids_, std::move(mesh));
     }
 
     void block() {

@@ -3,9 +3,9 @@
 /// Submaps solids of a CAD model into one conforming structured hexahedral mesh.
 
 #include <pavior/brep/match_quads.hpp>
+#include <pavior/brep/solids_mesh.hpp>
 #include <pavior/core/compiled.hpp>
 #include <pavior/core/progress.hpp>
-#include <pavior/mesh/span_mesh.hpp>
 #include <pavior/submap/submap_intervals.hpp>
 #include <pavior/submap/submap_recognition.hpp>
 #include <pavior/submap/submap_solid.hpp>
@@ -42,13 +42,9 @@ struct SubmapFaceReport {
 
 /// Hexahedra of a model with their entities. Nodes of the first solid come in the order of its lattice (i fastest),
 /// those of each further solid follow in the same way, as far as they are new. Hexahedra come solid by solid in the
-/// order of the lattice.
-struct SubmappedMesh {
-    HexMesh mesh;
-    std::vector<SolidId> hex_solid;            ///< one a hexahedron
+/// order of the lattice, quads face by face.
+struct SubmappedMesh : SolidsMesh {
     std::vector<LatticePoint<3>> hex_lattice;  ///< one a hexahedron: its smallest (i, j, k) in its solid
-    std::vector<QuadCorners> quads;            ///< mesh of the faces, by face, about the face's own normal
-    std::vector<FaceId> quad_face;             ///< one a quad
     std::vector<SubmapSolidReport> solids;     ///< in the order of SubmapModel::solids
     std::vector<SubmapFaceReport> faces;       ///< by face id
 
@@ -77,7 +73,7 @@ void adopt_mesh(const B& b, BoundaryMesh& mesh, FaceId f, const FaceMesh& given)
     const PositionOf position(given.nodes);
     std::vector<std::pair<Index, Index>> seed;
     for (std::size_t i = 0; i < own.nodes.size(); ++i) {
-        if (const Index at = position(own.nodes[i]); at != no_node) {
+        if (const Index at = position(own.nodes[i]); at != no_index) {
             seed.emplace_back(static_cast<Index>(i), at);
         }
     }
@@ -124,25 +120,8 @@ template <brep B>
 namespace detail {
 
 /// Appends the hexahedra of one solid, nodes in the order of its lattice, and a report to \p reports.
-template <class Result>
-void append_submap(Result& result, const SubmapTopology& topology, const SubmapSolid& solid, Renumbering& number,
-                   std::vector<SubmapSolidReport>& reports) {
-    reports.push_back({topology.solid, result.mesh.hexes.size(), solid.hexes.size(), solid.low, solid.high,
-                       topology.deviation, solid.smooth});
-    std::vector<Index> ids;
-    ids.reserve(solid.nodes.size());
-    for (const Index node : solid.nodes) {
-        ids.push_back(number(node));
-    }
-    for (const HexCorners& hex : solid.hexes) {
-        HexCorners corners{};
-        for (std::size_t c = 0; c < corners.size(); ++c) {
-            corners[c] = ids[hex[c]];
-        }
-        result.mesh.hexes.push_back(corners);
-        result.hex_solid.push_back(topology.solid);
-    }
-}
+PAVIOR_INLINE void append_submap(SolidsMesh& result, const SubmapTopology& topology, const SubmapSolid& solid,
+                                 Renumbering& number, std::vector<SubmapSolidReport>& reports);
 
 }  // namespace detail
 
