@@ -41,6 +41,23 @@ template <brep B>
     return table;
 }
 
+/// Gauss-Newton from \p t towards the point of \p e next to \p x, within [low, high].
+template <brep B>
+[[nodiscard]] double slide_on_edge(const B& b, EdgeId e, const Vec3& x, double t, double low, double high) {
+    const std::array<double, 2> range = b.edge_range(e);
+    for (int i = 0; i < 20; ++i) {
+        const Vec3 d = b.edge_derivative(e, t);
+        const double move = d.squaredNorm() > 0 ? (x - b.edge_point(e, t)).dot(d) / d.squaredNorm() : 0.0;
+        const double next = std::clamp(t + move, low, high);
+        const bool done = std::abs(next - t) <= 1e-15 * (range[1] - range[0]);
+        t = next;
+        if (done) {
+            break;
+        }
+    }
+    return t;
+}
+
 }  // namespace detail
 
 /// Parameters of \p e at the given fractions (0 .. 1, ascending) of its arc length. Exact for edges of constant speed
@@ -85,19 +102,7 @@ template <brep B>
             best = t;
         }
     }
-    const double low = std::max(range[0], best - step);
-    const double high = std::min(range[1], best + step);
-    for (int i = 0; i < 20; ++i) {
-        const Vec3 d = b.edge_derivative(e, best);
-        const double move = d.squaredNorm() > 0 ? (x - b.edge_point(e, best)).dot(d) / d.squaredNorm() : 0.0;
-        const double next = std::clamp(best + move, low, high);
-        const bool done = std::abs(next - best) <= 1e-15 * (range[1] - range[0]);
-        best = next;
-        if (done) {
-            break;
-        }
-    }
-    return best;
+    return detail::slide_on_edge(b, e, x, best, std::max(range[0], best - step), std::min(range[1], best + step));
 }
 
 /// 0, 1/n, 2/n, ..., 1.
