@@ -1,7 +1,8 @@
-# Which room may include which; read by check_architecture.cmake, a test, and by docs/rooms.cmake, which draws them.
-# Rooms of headers stand above those that they use.
+# Which room may include which; read by check_architecture.cmake, a test, and by draw_rooms.cmake, which draws them.
+# Rooms of headers stand above those that they use. Headers of the compiled rooms declare what pavior::<room> defines.
 set(rooms core math mesh affine smooth dual contributions marking block sweep intervals brep lattice one_to_one
     many_to_many submap part tetra glpk imprint cad io)
+set(compiled_rooms tetra glpk imprint cad io)
 set(may_include_core "")
 set(may_include_math core)
 set(may_include_mesh core math)
@@ -26,14 +27,15 @@ set(may_include_cad core math mesh brep one_to_one many_to_many)
 set(may_include_io core math mesh sweep contributions)
 
 # Sources: src/<room> includes what the public room includes, that room, and these folders of src.
-set(source_rooms common math tetra glpk imprint cad io cli)
+set(source_rooms common compiled tetra glpk imprint cad io part cli)
 set(may_include_src_common core math)
-set(may_include_src_math core math mesh affine) # the affine fits that are compiled once
+set(may_include_src_compiled core math affine) # templates, for the types in use
 set(may_include_src_tetra ${may_include_tetra} tetra src_common)
 set(may_include_src_glpk core intervals glpk)
 set(may_include_src_imprint ${may_include_imprint} imprint)
-set(may_include_src_cad ${may_include_cad} cad src_common)
+set(may_include_src_cad ${may_include_cad} smooth sweep cad src_common)
 set(may_include_src_io ${may_include_io} io src_common)
+set(may_include_src_part ${rooms} src_common)
 set(may_include_src_cli ${rooms} src_common)
 
 # Foreign headers, as regular expressions. Public headers know the standard library and Eigen (never all of it), with
@@ -44,10 +46,11 @@ set(foreign_in_mesh/cgal_access.hpp "CGAL/.*")
 set(foreign_in_core/large_array.hpp "sys/mman\\.h")
 set(posix "(unistd|fcntl|poll|signal|sys/[a-z]+)\\.h")
 set(foreign_in_src_common "gmsh\\.h|${posix}")
-set(foreign_in_src_math "none")
+set(foreign_in_src_compiled "none")
 set(foreign_in_src_tetra "tetgen\\.h|CGAL/.*|dlfcn\\.h|${posix}")
 set(foreign_in_src_imprint "CGAL/.*")
 set(foreign_in_src_cad "gmsh\\.h|${posix}")
 set(foreign_in_src_glpk "glpk\\.h")
 set(foreign_in_src_io "gmsh\\.h|vtk[A-Za-z]*\\.h|nlohmann/json\\.hpp|${posix}")
+set(foreign_in_src_part "${posix}")
 set(foreign_in_src_cli "CLI/.*|nlohmann/json\\.hpp|${posix}")

@@ -1,11 +1,14 @@
 # cmake -D root=<repository> -P check_test_map.cmake: every public header has its test file and every test file its
 # subject. include/pavior/<room>/<stem>.hpp <-> tests/<room>/<stem>_test.cpp; a test file may also have its subject in
-# src/<room>. Tests of a whole room end in _cases.cpp and need no subject.
+# src/<room>. Tests of a whole room end in _cases.cpp and need no subject. Bodies (-inl.hpp) are tested by the test of
+# their header. A header of include/pavior/<room>/detail is named by some test: by its path or as detail::<what it
+# declares>.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/architecture.cmake)
 set(gaps 0)
 
 file(GLOB headers RELATIVE ${root}/include/pavior ${root}/include/pavior/*/*.hpp)
+list(FILTER headers EXCLUDE REGEX "-inl\\.hpp$")
 foreach(header IN LISTS headers)
   string(REGEX REPLACE "\\.hpp$" "_test.cpp" test ${header})
   if(NOT EXISTS ${root}/tests/${test})
@@ -26,10 +29,40 @@ foreach(room IN LISTS rooms source_rooms)
   endforeach()
 endforeach()
 
+# All that tests say, and per header of detail/ the names that stand at the left margin: types, functions, constants.
+set(said "")
+foreach(room IN LISTS rooms source_rooms)
+  file(GLOB tests ${root}/tests/${room}/*_test.cpp ${root}/tests/${room}/*_cases.cpp)
+  foreach(test IN LISTS tests)
+    file(READ ${test} text)
+    string(APPEND said "${text}")
+  endforeach()
+endforeach()
+file(GLOB details RELATIVE ${root}/include ${root}/include/pavior/*/detail/*.hpp)
+foreach(header IN LISTS details)
+  file(STRINGS ${root}/include/${header} lines REGEX "^[a-z[]")
+  set(names "")
+  foreach(line IN LISTS lines)
+    if(line MATCHES "^(struct|class|enum class|using|concept) ([A-Za-z_0-9]+)")
+      list(APPEND names ${CMAKE_MATCH_2})
+    elseif(line MATCHES "^[a-zA-Z[].*[ *&]([a-z_0-9]+)( =|\\[|\\()" AND NOT CMAKE_MATCH_1 STREQUAL "requires")
+      list(APPEND names ${CMAKE_MATCH_1})
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES names)
+  list(JOIN names "|" names)
+  string(FIND "${said}" "<${header}>" at)
+  if(at EQUAL -1 AND (names STREQUAL "" OR NOT said MATCHES "detail::(${names})[^A-Za-z_0-9]"))
+    math(EXPR gaps "${gaps} + 1")
+    message("${header} is named by no test: none says ${header} or detail::${names}")
+  endif()
+endforeach()
+
 list(LENGTH headers header_count)
 if(gaps)
   message(FATAL_ERROR "${gaps} gaps between headers and tests")
 elseif(NOT headers)
   message(FATAL_ERROR "no headers under ${root}/include/pavior")
 endif()
-message("${header_count} headers have their tests")
+list(LENGTH details detail_count)
+message("${header_count} headers have their tests, ${detail_count} of detail/ are named by one")

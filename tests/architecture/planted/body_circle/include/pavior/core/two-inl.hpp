@@ -1,0 +1,3 @@
+#pragma once
+#include <pavior/core/one.hpp>
+#include <pavior/core/two.hpp>

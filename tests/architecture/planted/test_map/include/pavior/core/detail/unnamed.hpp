@@ -1,0 +1,5 @@
+#pragma once
+struct Unnamed {};
+inline int forgotten(int x) {
+    return x;
+}

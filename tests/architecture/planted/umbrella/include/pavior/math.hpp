@@ -1,0 +1,3 @@
+#pragma once
+#include <pavior/core/error.hpp>
+#include <pavior/math/point.hpp>
