@@ -134,8 +134,8 @@ function(check_umbrella file room)
   foreach(header IN LISTS included)
     if(room STREQUAL "pavior" AND header MATCHES "^<pavior/([a-z_]+)\\.hpp>$" AND CMAKE_MATCH_1 IN_LIST header_rooms)
       list(REMOVE_ITEM header_rooms ${CMAKE_MATCH_1})
-    elseif(room STREQUAL "pavior" OR NOT header MATCHES "^<pavior/${room}/[a-z_]+\\.hpp>$"
-           OR NOT EXISTS ${root}/include/pavior/${room})
+    elseif(room STREQUAL "pavior" OR NOT header MATCHES "^<pavior/(${room}/[a-z_]+\\.hpp)>$"
+           OR CMAKE_MATCH_1 IN_LIST compiled_headers)
       violation(${file} "an umbrella header of ${room} must not include ${header}")
     endif()
   endforeach()

@@ -4,7 +4,22 @@ include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pavior)
 
-install(DIRECTORY include/pavior DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+# Headers that declare what was not built stay behind.
+include(${CMAKE_CURRENT_LIST_DIR}/architecture.cmake)
+set(left_out "")
+foreach(room IN LISTS compiled_rooms)
+  if(NOT TARGET pavior_${room})
+    list(APPEND left_out REGEX "include/pavior/${room}$" EXCLUDE)
+  endif()
+endforeach()
+foreach(header IN LISTS compiled_headers)
+  string(REGEX REPLACE "/.*" "" room ${header})
+  if(NOT TARGET pavior_${room})
+    list(APPEND left_out REGEX "include/pavior/${header}$" EXCLUDE)
+  endif()
+endforeach()
+install(DIRECTORY include/pavior DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${left_out})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(TARGETS pavior EXPORT pavior-targets)
 install(EXPORT pavior-targets NAMESPACE pavior:: DESTINATION ${package_dir})
 
@@ -26,3 +41,17 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/pavior-config-version.cma
 install(FILES ${PROJECT_BINARY_DIR}/pavior-config.cmake ${PROJECT_BINARY_DIR}/pavior-config-version.cmake
               cmake/FindGmsh.cmake cmake/FindGLPK.cmake
         DESTINATION ${package_dir})
+
+# For those who build without CMake: pkg-config --cflags --libs pavior, or pavior-compiled.
+set(pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH pc_prefix /${pc_dir} /)
+set(pc_threads "")
+if(Threads_FOUND)
+  set(pc_threads -pthread)
+endif()
+configure_file(cmake/pavior.pc.in pavior.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/pavior.pc DESTINATION ${pc_dir})
+if(TARGET pavior_compiled)
+  configure_file(cmake/pavior-compiled.pc.in pavior-compiled.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/pavior-compiled.pc DESTINATION ${pc_dir})
+endif()

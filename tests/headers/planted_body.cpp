@@ -1,0 +1,4 @@
+// What a header must not do: a function that is neither a template nor inline.
+int forgotten_inline() {
+    return 1;
+}
