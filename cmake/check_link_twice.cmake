@@ -1,6 +1,7 @@
-# cmake -D "compile=<compiler;flags>" -D "units=<sources>" -D build=<folder> [-D flags=<flags>] -P check_link_twice.cmake
-# Compiles each unit and links it twice, as two units of the same text would be: a function that a header defines without
-# inline is refused. -O0: what is inline and unused makes no code.
+# cmake -D "compile=<compiler;flags>" -D "units=<sources>" -D build=<folder> [-D flags=<flags>]
+#       -P check_link_twice.cmake
+# Compiles each unit and links it twice, as two units of the same text would be: a function that a header defines
+# without inline is refused. -O0: what is inline and unused makes no code.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${build})
 file(MAKE_DIRECTORY ${build})

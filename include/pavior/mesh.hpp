@@ -7,7 +7,9 @@
 #include <pavior/mesh/boundary_quads.hpp>  // the boundary of a hexahedral mesh
 #include <pavior/mesh/builders.hpp>        // hexahedra written into a type of the user
 #include <pavior/mesh/eigen_access.hpp>    // meshes kept as Eigen matrices
+#include <pavior/mesh/grouped_mesh.hpp>    // hexahedra with groups of solids and faces
 #include <pavior/mesh/mesh_access.hpp>     // the one adaptation point for foreign meshes
+#include <pavior/mesh/mesh_check.hpp>      // is this a mesh, and how good is it?
 #include <pavior/mesh/quality.hpp>         // statistics and histograms of the quality of cells
 #include <pavior/mesh/span_mesh.hpp>       // plain arrays as meshes
 #include <pavior/mesh/tagged_mesh.hpp>     // surfaces and tetrahedra with tags

@@ -10,7 +10,7 @@
 #include <cstdio>
 
 int main() {
-    // cad: x + y >= 5 with costs 2 and 3 is cheapest at x = 4 (its bound), y = 1.
+    // glpk: x + y >= 5 with costs 2 and 3 is cheapest at x = 4 (its bound), y = 1.
     pavior::IntegerProgram program;
     const auto x = program.add({.lower = 0, .upper = 4, .cost = 2, .integer = true, .name = "x"});
     const auto y = program.add({.lower = 0, .upper = 9, .cost = 3, .integer = true, .name = "y"});
@@ -33,7 +33,7 @@ int main() {
         same = same && copy.mesh.nodes == cube.mesh.nodes && copy.mesh.hexes == cube.mesh.hexes;
     }
 
-    // math: the compiled decomposition of a matrix with the singular values 5, 3, 2.
+    // compiled: the decomposition of a matrix with the singular values 5, 3, 2.
     const pavior::SmallSvd<double, 3, 3> svd = pavior::small_svd<double, 3, 3>(Eigen::Vector3d(2, -5, 3).asDiagonal());
     const double error = (svd.w - Eigen::Vector3d(5, 3, 2)).norm();
 
