@@ -1,4 +1,4 @@
-# Which room may include which; read by check_architecture.cmake, a test, and by draw_rooms.cmake, which draws them.
+# Which room may include which; read by check_architecture.cmake, a test, and by draw_rooms.py, which draws them.
 # Rooms of headers stand above those that they use. Headers of the compiled rooms declare what pavior::<room> defines.
 set(rooms core math mesh affine smooth dual contributions marking block sweep intervals brep lattice one_to_one
     many_to_many submap part tetra glpk imprint cad io)
