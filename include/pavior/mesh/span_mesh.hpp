@@ -7,16 +7,35 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace pavior {
 
-/// Quad mesh over the user's arrays: nodes[i] is point_like, quads[q] four corner ids. Copies nothing.
+namespace detail {
+
+/// What stands in a contiguous range: vectors, arrays, spans.
+template <class R>
+using array_value = typename decltype(std::span(std::declval<R&>()))::value_type;
+
+/// A contiguous range whose elements outlive the expression: no temporary that owns them.
+template <class R>
+concept lasting_array = std::ranges::borrowed_range<R> && requires {
+    typename array_value<R>;
+};
+
+}  // namespace detail
+
+/// Quad mesh over the user's arrays: nodes[i] is point_like, quads[q] four corner ids. Copies nothing. The types follow
+/// from the arrays: QuadMeshView{nodes, quads}. So with the other views.
 template <point_like P = Vec3, class C = QuadCorners>
 struct QuadMeshView {
     std::span<const P> nodes;
     std::span<const C> quads;
 };
+template <detail::lasting_array P, detail::lasting_array C>
+QuadMeshView(P&&, C&&) -> QuadMeshView<detail::array_value<P>, detail::array_value<C>>;
 
 /// Hexahedral mesh over the user's arrays: nodes[i] is point_like, hexes[h] eight corner ids. Copies nothing.
 template <point_like P = Vec3, class C = HexCorners>
@@ -24,6 +43,8 @@ struct HexMeshView {
     std::span<const P> nodes;
     std::span<const C> hexes;
 };
+template <detail::lasting_array P, detail::lasting_array C>
+HexMeshView(P&&, C&&) -> HexMeshView<detail::array_value<P>, detail::array_value<C>>;
 
 /// Triangle mesh over the user's arrays: nodes[i] is point_like, triangles[t] three corner ids. Copies nothing.
 template <point_like P = Vec3, class C = TriCorners>
@@ -31,6 +52,8 @@ struct TriMeshView {
     std::span<const P> nodes;
     std::span<const C> triangles;
 };
+template <detail::lasting_array P, detail::lasting_array C>
+TriMeshView(P&&, C&&) -> TriMeshView<detail::array_value<P>, detail::array_value<C>>;
 
 /// Tetrahedral mesh over the user's arrays: nodes[i] is point_like, tets[t] four corner ids. Copies nothing.
 template <point_like P = Vec3, class C = TetCorners>
@@ -38,6 +61,8 @@ struct TetMeshView {
     std::span<const P> nodes;
     std::span<const C> tets;
 };
+template <detail::lasting_array P, detail::lasting_array C>
+TetMeshView(P&&, C&&) -> TetMeshView<detail::array_value<P>, detail::array_value<C>>;
 
 /// Quad mesh that owns its arrays.
 struct QuadMesh {
@@ -63,19 +88,22 @@ struct TetMesh {
     std::vector<TetCorners> tets;
 };
 
-/// Points alone: any contiguous range of them, e.g. the nodes of the target cap.
-template <point_like P>
-struct mesh_access<std::span<const P>> {
-    static std::size_t node_count(std::span<const P> m) { return m.size(); }
-    static const P& node(std::span<const P> m, Index i) { return m[i]; }
-};
-template <point_like P>
-struct mesh_access<std::vector<P>> {
-    static std::size_t node_count(const std::vector<P>& m) { return m.size(); }
-    static const P& node(const std::vector<P>& m, Index i) { return m[i]; }
+/// Points alone, e.g. the nodes of the target cap: vectors with any allocator, arrays, spans, deques.
+template <point_range R>
+struct mesh_access<R> {
+    static std::size_t node_count(const R& m) { return detail::count_of(m); }
+    static decltype(auto) node(const R& m, Index i) { return m[i]; }
 };
 
 namespace detail {
+template <vertex_mesh M>
+void copy_nodes(const M& mesh, std::vector<Vec3>& nodes) {
+    nodes.reserve(node_count(mesh));
+    for (const Index i : IndexRange(node_count(mesh))) {
+        nodes.push_back(node(mesh, i));
+    }
+}
+
 template <class M>
 struct quad_array_access {
     static std::size_t node_count(const M& m) { return m.nodes.size(); }
@@ -122,5 +150,29 @@ template <>
 struct mesh_access<TriMesh> : detail::triangle_array_access<TriMesh> {};
 template <>
 struct mesh_access<TetMesh> : detail::tet_array_access<TetMesh> {};
+
+/// Nodes and quads of any quad_mesh as arrays; ids as they are, right or wrong. O(n).
+template <quad_mesh M>
+[[nodiscard]] QuadMesh to_quad_mesh(const M& mesh) {
+    QuadMesh result;
+    detail::copy_nodes(mesh, result.nodes);
+    result.quads.reserve(quad_count(mesh));
+    for (const Index q : IndexRange(quad_count(mesh))) {
+        result.quads.push_back(quad(mesh, q));
+    }
+    return result;
+}
+
+/// Nodes and hexahedra of any hex_mesh as arrays; ids as they are, right or wrong. O(n).
+template <hex_mesh M>
+[[nodiscard]] HexMesh to_hex_mesh(const M& mesh) {
+    HexMesh result;
+    detail::copy_nodes(mesh, result.nodes);
+    result.hexes.reserve(hex_count(mesh));
+    for (const Index h : IndexRange(hex_count(mesh))) {
+        result.hexes.push_back(hex(mesh, h));
+    }
+    return result;
+}
 
 }  // namespace pavior
