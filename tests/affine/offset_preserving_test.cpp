@@ -172,3 +172,101 @@ TEST_CASE("In four dimensions kernels serve hyperplanar loops, with det A > 0") 
         CHECK(fit_affine(h, full, full, one_loop<4>(full)).status == FitStatus::null_pseudo_area);
     }
 }
+
+TEST_CASE("offset_vectors gives the case and the vectors of Table 3.1") {
+    for (int seed = 1; seed <= 20; ++seed) {
+        INFO("seed " << seed);
+        Random random(seed);
+        const Points<3> flat = random.orthogonal<3>() * random.loop(20, 0);
+        const Points<3> flat_too = random.orthogonal<3>() * random.loop(20, 0);
+        const Points<3> bent = random.orthogonal<3>() * random.loop(20, 0.4);
+        const Points<3> bent_too = random.orthogonal<3>() * random.loop(20, 0.4);
+        const auto loop = one_loop<3>(flat);
+        const auto normal = [&](const Points<3>& points) { return pseudo_normal(points, loop).normal; };
+        const auto vectors_of = [&](const Points<3>& X, const Points<3>& Y) {
+            const auto pair = loop_pair(X, Y);
+            const FitOptions options;
+            const auto vectors = offset_vectors(pair, loop_normals(pair, X, Y, loop, options), options);
+            const auto fit = fit_affine(h, X, Y, loop);
+            CHECK(vectors.status == FitStatus::ok);
+            CHECK(vectors.uX == fit.uX);
+            CHECK(vectors.uY == fit.uY);
+            CHECK(vectors.rank == fit.rank);
+            CHECK(vectors.correlation == fit.correlation);
+            CHECK(vectors.uX.norm() == Approx(1));
+            CHECK(vectors.uY.norm() == Approx(1));
+            return vectors;
+        };
+        const auto a = vectors_of(bent, bent_too);
+        CHECK(a.which == OffsetCase::pseudo_normals);
+        CHECK((!a.source_hyperplanar && !a.target_hyperplanar));
+        CHECK(a.uX == normal(bent));
+        CHECK(a.uY == normal(bent_too));
+
+        const auto both = vectors_of(flat, flat_too);
+        CHECK(both.which == OffsetCase::kernel);
+        CHECK((both.source_hyperplanar && both.target_hyperplanar));
+        CHECK((both.uX - normal(flat)).norm() < 1e-13);
+        CHECK((both.uY - normal(flat_too)).norm() < 1e-13);
+
+        const auto source = vectors_of(flat, bent);
+        CHECK(source.which == OffsetCase::kernel);
+        CHECK((source.source_hyperplanar && !source.target_hyperplanar));
+        CHECK((source.uX - normal(flat)).norm() < 1e-13);
+        CHECK((minimizer_f(loop_pair(flat, bent)).A.transpose() * source.uY).norm() < 1e-12);
+        CHECK((source.uY - normal(bent)).norm() > 1e-3);  // u_n, not the pseudo-normal
+
+        const auto target = vectors_of(bent, flat);
+        CHECK(target.which == OffsetCase::kernel);
+        CHECK((!target.source_hyperplanar && target.target_hyperplanar));
+        CHECK((minimizer_f(loop_pair(bent, flat)).A * target.uX).norm() < 1e-12);
+        CHECK((target.uX - normal(bent)).norm() > 1e-3);  // v_n, not the pseudo-normal
+        CHECK((target.uY - normal(flat)).norm() < 1e-13);
+    }
+}
+
+TEST_CASE("offset_vectors: loops without vectors, the case that Table 3.1 leaves out, higher dimensions") {
+    const auto vectors_of = [](const auto& X, const auto& Y) {
+        const auto pair = loop_pair(X, Y);
+        return offset_vectors(pair, loop_normals(pair, X, Y, test::Offsets{0, static_cast<std::size_t>(X.cols())}, {}));
+    };
+    const Points<3> flat = circle(24, [](double) { return 0.0; });
+    const Points<3> up = circle(24, [](double t) { return 0.2 * std::cos(2 * t); });
+    const Points<3> across = circle(24, [](double t) { return 0.2 * std::sin(2 * t); });
+    const auto left_out = vectors_of(up, across);  // both span space, A^F does not
+    CHECK(left_out.which == OffsetCase::kernel);
+    CHECK((!left_out.source_hyperplanar && !left_out.target_hyperplanar));
+    CHECK((left_out.uX - Eigen::Vector3d::UnitZ()).norm() < 1e-13);
+
+    Points<3> line = flat;
+    line.bottomRows(2).setZero();
+    const auto none = vectors_of(line, flat);
+    CHECK(none.which == OffsetCase::degenerate);
+    CHECK(none.status == FitStatus::source_degenerate);
+    CHECK(none.uX.isZero());
+    CHECK(vectors_of(flat, line).at_target);
+    Points<3> eight = flat;
+    for (Eigen::Index i = 0; i < 24; ++i) {
+        eight(1, i) = 2 * flat(0, i) * flat(1, i);
+    }
+    const auto null = vectors_of(eight, eight);
+    CHECK(null.which == OffsetCase::kernel);
+    CHECK(null.status == FitStatus::null_pseudo_area);
+    CHECK(null.uY.isZero());
+    Points<3> infinite = flat;
+    infinite(0, 0) = HUGE_VAL;
+    CHECK(vectors_of(flat, infinite).status == FitStatus::not_finite);
+    CHECK(vectors_of(flat, infinite).at_target);
+    CHECK(to_string(OffsetCase::pseudo_normals) == "3.a");
+    CHECK(to_string(OffsetCase::kernel) == "3.b");
+    CHECK(to_string(OffsetCase::degenerate) == "3.c");
+
+    Random random(5);
+    Points<4> hyperplane = random.points<4>(20);
+    hyperplane.row(3).setZero();
+    const Points<4> moved = random.linear<4>() * hyperplane;
+    const auto four = vectors_of(hyperplane, moved);
+    CHECK(four.which == OffsetCase::kernel);
+    const Eigen::Matrix4d AF = minimizer_f(loop_pair(hyperplane, moved)).A;
+    CHECK((AF + four.uY * four.uX.transpose()).determinant() > 0);
+}
