@@ -2,11 +2,16 @@
 #include "support/catch.hpp"
 
 #include <pavior/affine/affinity.hpp>
+#include <pavior/affine/detail/point_columns.hpp>
 #include <pavior/affine/fit.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <deque>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -318,4 +323,50 @@ TEST_CASE("Errors of callers are typed") {
     CHECK(code([&] { (void)fit_affine(method, Points<3>(3, 0), Points<3>(3, 0), Offsets{0, 0}); }) == "empty_input");
     CHECK(code([&] { (void)fit_affine(method, s.X, s.Y, Offsets{0, 10}); }) == "bad_index");
     CHECK(code([&] { (void)fit_affine(method, s.X, s.Y, s.offsets); }) == "none");
+}
+
+TEST_CASE("Points as meshes keep them: in place where they are three doubles, copied otherwise") {
+    const Scene s(1);
+    const auto as = [&](const Points<3>& points, auto make) {
+        std::vector<decltype(make(Vec3()))> list;
+        for (Eigen::Index i = 0; i < points.cols(); ++i) {
+            list.push_back(make(Vec3(points.col(i))));
+        }
+        return list;
+    };
+    struct Tagged {  // four doubles from point to point
+        double x[3];
+        std::int64_t tag = 7;
+        const double& operator[](std::size_t k) const { return x[k]; }
+    };
+    struct Backwards {  // three doubles, but not in the order of the axes
+        double z, y, x;
+        const double& operator[](std::size_t k) const { return k == 0 ? x : k == 1 ? y : z; }
+    };
+    const auto vec = [](const Vec3& x) { return x; };
+    const auto array = [](const Vec3& x) { return std::array{x[0], x[1], x[2]}; };
+    const auto tagged = [](const Vec3& x) { return Tagged{{x[0], x[1], x[2]}, 7}; };
+    const auto backwards = [](const Vec3& x) { return Backwards{x[2], x[1], x[0]}; };
+    const auto list = [](const Vec3& x) { return std::vector{x[0], x[1], x[2]}; };
+    for (const auto method : methods) {
+        const auto expected = fit_affine(method, s.X, s.Y, s.offsets);
+        const auto same = [&](const AffineFit<double, 3>& fit) {
+            CHECK(fit.map.A == expected.map.A);
+            CHECK(fit.map.cy == expected.map.cy);
+            CHECK(fit.residual == expected.residual);
+        };
+        same(fit_affine(method, as(s.X, vec), as(s.Y, array), s.offsets));
+        same(fit_affine(method, as(s.X, tagged), as(s.Y, backwards), s.offsets));
+        const auto lists = as(s.Y, list);
+        const auto source = as(s.X, vec);
+        same(fit_affine(method, std::deque<Vec3>(source.begin(), source.end()), as(s.Y, list), s.offsets));
+    }
+    const auto points = as(s.X, vec);
+    CHECK(detail::PointColumns(points).matrix().data() == points.front().data());
+    const auto with_tags = as(s.X, tagged);
+    CHECK(detail::PointColumns(with_tags).matrix().data() == &with_tags[0][0]);
+    CHECK(detail::PointColumns(with_tags).matrix().outerStride() == 4);
+    CHECK(detail::PointColumns(std::span<const Vec3>(points)).matrix() == s.X);
+    CHECK_THROWS_AS(fit_affine(AffineMethod::f, points, std::span(points).first(2), s.offsets), InputError);
+    CHECK_THROWS_AS(fit_affine(AffineMethod::f, std::vector<Vec3>(), std::vector<Vec3>(), s.offsets), InputError);
 }

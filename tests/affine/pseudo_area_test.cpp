@@ -6,9 +6,11 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 using namespace pavior;
 using test::Offsets;
@@ -203,4 +205,17 @@ TEST_CASE("Errors of callers") {
     }
     CHECK_THROWS_AS(pseudo_area(Points<3>(3, 0), Offsets{0, 0}), InputError);
     CHECK_THROWS_AS(pseudo_area(Eigen::MatrixXd::Random(4, 6), Offsets{0, 6}), InputError);
+}
+
+TEST_CASE("Ranges of points have the pseudo-area and pseudo-normal of the matrix") {
+    const double ring[4][3] = {{0, 0, 0}, {2, 0, 1}, {2, 1, 0}, {0, 1, 1}};
+    const std::vector<std::array<float, 3>> single{{0, 0, 0}, {2, 0, 1}, {2, 1, 0}, {0, 1, 1}};
+    const Eigen::Map<const Points<3>> X(&ring[0][0], 3, 4);
+    const Offsets loop{0, 4};
+    CHECK(pseudo_area(ring, loop) == pseudo_area(X, loop));
+    CHECK(pseudo_area(single, loop) == pseudo_area(X, loop));
+    CHECK(pseudo_normal(ring, loop).normal == pseudo_normal(X, loop).normal);
+    CHECK(pseudo_normal(single, loop).relative_area == pseudo_normal(X, loop).relative_area);
+    CHECK_THROWS_AS(pseudo_normal(single, Offsets{0, 5}), InputError);
+    CHECK_THROWS_AS(pseudo_area(std::vector<Eigen::Vector3d>(), Offsets{0, 0}), InputError);
 }

@@ -3,6 +3,7 @@
 /// The affine map between two loops, by any of the methods.
 
 #include <pavior/affine/constrained.hpp>
+#include <pavior/affine/detail/point_columns.hpp>
 #include <pavior/affine/fit_result.hpp>
 #include <pavior/affine/loop_normals.hpp>
 #include <pavior/affine/loop_pair.hpp>
@@ -10,6 +11,7 @@
 #include <pavior/affine/minimizers.hpp>
 #include <pavior/affine/offset_preserving.hpp>
 #include <pavior/affine/pseudo_area.hpp>
+#include <pavior/math/point.hpp>
 
 #include <Eigen/Core>
 
@@ -117,6 +119,17 @@ template <class DerivedX, class DerivedY>
     constexpr int N = DerivedX::RowsAtCompileTime;
     using Points = Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>>;
     return fit_affine<Scalar, N>(method, Points(X.derived()), Points(Y.derived()), loop_offsets, options);
+}
+
+/// The same for points in space as they are kept in meshes: vectors, arrays, spans, anything that is a point_range.
+/// Coordinates that are three doubles in memory, at equal distances from point to point, are read in place; others are
+/// copied.
+template <point_range SourcePoints, point_range TargetPoints>
+[[nodiscard]] AffineFit<double, 3> fit_affine(AffineMethod method, const SourcePoints& source,
+                                              const TargetPoints& target, std::span<const std::size_t> loop_offsets,
+                                              const FitOptions& options = {}) {
+    const detail::PointColumns X(source), Y(target);
+    return fit_affine<double, 3>(method, X.matrix(), Y.matrix(), loop_offsets, options);
 }
 
 /// \cond

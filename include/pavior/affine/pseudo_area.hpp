@@ -3,8 +3,10 @@
 /// Pseudo-area and pseudo-normal of loops and multi-loops; Section 3.3.1 \cite roca2009.
 
 #include <pavior/affine/centring.hpp>
+#include <pavior/affine/detail/point_columns.hpp>
 #include <pavior/core/compiled.hpp>
 #include <pavior/core/error.hpp>
+#include <pavior/math/point.hpp>
 #include <pavior/math/small_svd.hpp>
 #include <pavior/math/streamed_qr.hpp>
 
@@ -136,6 +138,13 @@ template <class Derived, class Scalar = typename Derived::Scalar, int N = Derive
     return sum.area;
 }
 
+/// The same for a point_range, read in place where the points are doubles in memory.
+template <point_range R>
+[[nodiscard]] Vec3 pseudo_area(const R& points, std::span<const std::size_t> offsets) {
+    const detail::PointColumns X(points);
+    return pseudo_area(X.matrix(), offsets);
+}
+
 /// Pseudo-normal of the multi-loop, Definition 3.6; n >= 4: hyperplane_normal. Null for figure eights, collinear
 /// points, closed plane curves (n = 2) and coordinates that are not finite. O(m).
 /// \throws InputError empty_input, bad_index (offsets)
@@ -160,6 +169,14 @@ template <class Derived, class Scalar = typename Derived::Scalar, int N = Derive
     }
     const auto svd = small_svd(qr.factor());
     return hyperplane_normal(svd, std::max(Scalar(1e-8) * svd.w(0), 16 * local.noise(X.cols())));
+}
+
+/// The same for a point_range, read in place where the points are doubles in memory.
+template <point_range R>
+[[nodiscard]] PseudoNormal<double, 3> pseudo_normal(const R& points, std::span<const std::size_t> offsets,
+                                                    double tolerance = 1e-10) {
+    const detail::PointColumns X(points);
+    return pseudo_normal(X.matrix(), offsets, tolerance);
 }
 
 }  // namespace pavior
