@@ -97,13 +97,26 @@ TEST_CASE("polygons separate regions: two pieces on the two sides, of one region
     for (const DualColour c : surfaces.colour) {
         ++colours[c];
     }
-    // Two boxes: each of the 12 tetrahedra has boundary or cut faces; 6 faces of 2 triangles, 11 of them quads in all.
-    CHECK(colours[DualColour::red] == 24);
-    std::size_t sum = 0;
-    for (const auto& [colour, n] : colours) {
-        sum += n;
+    CHECK(colours[DualColour::red] == 24);  // two boxes with 12 triangles each
+    CHECK(colours[DualColour::yellow] > 0);
+    std::map<DualColour, std::size_t> wanted;
+    for (std::size_t t = 0; t < d.mesh.tets.size(); ++t) {
+        for (std::size_t i = 0; i < candidate_count; ++i) {
+            const Candidate& c = tet_candidates[i];
+            const Regions& r = d.regions;
+            const Index face = r.face[d.topology.tet_faces[t][c.kind == CandidateKind::face ? c.entity : c.other % 4]];
+            const Index edge = r.edge[d.topology.tet_edges[t][c.kind == CandidateKind::edge ? c.entity : c.other]];
+            const Index one = c.kind == CandidateKind::face ? r.tet[t] : edge;
+            const Index two = c.kind == CandidateKind::vertex ? r.node[d.mesh.tets[t][c.entity]] : face;
+            switch (d.contributions[t][i]) {
+                case Contribution::none: CHECK(one == two); continue;
+                case Contribution::soft: break;
+                case Contribution::hard: CHECK(one != two); break;
+            }
+            ++wanted[dual_colour(c.kind, d.contributions[t][i])];
+        }
     }
-    CHECK(sum == surfaces.size());
+    CHECK(colours == wanted);
     CHECK(surfaces.tet.size() == surfaces.size());
 }
 
