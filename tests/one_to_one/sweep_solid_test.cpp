@@ -72,29 +72,48 @@ TEST_CASE("a target that carries another mesh is refused by name") {
 }
 
 TEST_CASE("hexahedra that would be inverted are repaired, or left alone on request") {
-    // A cap whose inner node the affine maps leave behind: the middle of the sweep is pinched to a thin section.
+    // The front side bulges into the middle level, past the nodes that the maps leave where they are in a box.
     test::TestBrep b;
     test::add_prism(b, test::rectangle(1, 1), 0, 1);
     const SweepTopology sweep = sweep_between(b, SolidId{0}, FaceId{0}, FaceId{1});
     const std::vector<int> intervals(b.edge_count(), 4);
-    const auto run = [&](bool smooth) {
-        BoundaryMesh mesh = mesh_edges(b, intervals);
-        ModelMesh ignored;
-        detail::mesh_linking_sides(b, mesh, std::span(&sweep, 1), true, ignored);
-        mesh_cap_face(b, mesh, FaceId{0}, test::GridCap<test::TestBrep>{&b});
-        for (const Index node : mesh.faces[0].nodes) {  // drag the inner nodes of the source out of order
-            Vec3& x = mesh.nodes[node];
-            if ((x.head<2>() - Vec2(0.5, 0.5)).norm() < 0.1) {
-                x += Vec3(0, 0, 0.4);
-            }
+    BoundaryMesh given = mesh_edges(b, intervals);
+    ModelMesh ignored;
+    detail::mesh_linking_sides(b, given, std::span(&sweep, 1), true, ignored);
+    mesh_cap_face(b, given, FaceId{0}, test::GridCap<test::TestBrep>{&b});
+    const LevelIds levels = level_ids(b, given, sweep, intervals);
+    for (const Index node : levels.level(2)) {
+        const Vec3 x = given.nodes[node];
+        if (x[1] == 0.0 && x[0] > 0.1 && x[0] < 0.9) {
+            given.nodes[node][1] = 0.5;
         }
+    }
+    std::size_t bad = 0;
+    for (const bool smooth : {false, true}) {
+        CAPTURE(smooth);
+        BoundaryMesh mesh = given;
         SolidSweepOptions options;
         options.smooth = smooth;
-        return sweep_solid(b, mesh, sweep, intervals, options);
-    };
-    const SolidMesh repaired = run(true);
-    const SolidMesh plain = run(false);
-    CHECK(plain.smooth.moved_nodes == 0);
-    CHECK(repaired.smooth.inverted_after == 0);
-    CHECK((repaired.smooth.inverted_before == 0) == (repaired.smooth.status == SmoothStatus::unchanged));
+        options.sweep.correction = BoundaryCorrection::none;
+        const SolidMesh solid = sweep_solid(b, mesh, sweep, intervals, options);
+        std::vector<Vec3> nodes;
+        for (const Index node : solid.nodes) {
+            nodes.push_back(mesh.nodes[node]);
+        }
+        const HexReport report = verify_hexes(SweepMesh(nodes, solid.quads, solid.layers));
+        if (smooth) {
+            CHECK(solid.smooth.status == SmoothStatus::repaired);
+            CHECK(solid.smooth.moved_nodes > 0);
+            CHECK(solid.smooth.inverted_before == bad);
+            CHECK(report.ok());
+        } else {
+            CHECK(solid.smooth.status == SmoothStatus::unchanged);
+            CHECK(solid.smooth.moved_nodes == 0);
+            bad = report.count(MeshFault::inverted);
+            CHECK(bad > 0);
+        }
+        for (std::size_t i = 0; i < given.nodes.size(); ++i) {
+            CHECK(mesh.nodes[i] == given.nodes[i]);
+        }
+    }
 }
