@@ -105,12 +105,17 @@ TEST_CASE("IGES files are meshed as the STEP files of the same parts, loose face
 }
 
 TEST_CASE("a size that leaves a cap no quads is made finer, and the user is told") {
-    const ProgramRun outcome = run_program("sweep " + example("mfcad/6-8-8-8-19.step") + " --size 4 -o " +
-                                           (scratch() / "coarse.vtu").string());
+    const std::string sweep =
+        "sweep " + example("mfcad/0-1-19.step") + " -o " + scratch_file("coarse.vtu") + " --size ";
+    const ProgramRun outcome = run_program(sweep + "6");
     CAPTURE(outcome.err);
-    CHECK(outcome.code == 0);
-    CHECK(verify_hexes(read_mesh(scratch() / "coarse.vtu").mesh).ok());
-    CHECK((outcome.err.empty() || outcome.err.find("tried again with size") != std::string::npos));
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.err.find("face 2") != std::string::npos);
+    CHECK(outcome.err.find("tried again with size 4.2") != std::string::npos);
+    CHECK(verify_hexes(read_mesh(scratch_file("coarse.vtu")).mesh).ok());
+    const ProgramRun finer = run_program(sweep + "4.2");  // which needs no other try
+    CHECK(finer.code == 0);
+    CHECK(finer.err.empty());
 }
 
 TEST_CASE("--layers, --source and --target are obeyed") {
