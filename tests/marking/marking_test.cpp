@@ -16,11 +16,3 @@ TEST_CASE("every kind of sheet has a name of its own") {
     CHECK(names.size() == 8);
     CHECK(to_string(SheetKind::front) == "front");
 }
-
-TEST_CASE("by default implicit sheets run to the boundary, and what fails is reported") {
-    const MarkingOptions options;
-    CHECK(options.marking == Marking::sheets);
-    CHECK(options.propagation == Propagation::full);
-    CHECK_FALSE(options.split_everything);
-    CHECK_FALSE(SheetReport{}.valid);
-}

@@ -116,14 +116,45 @@ PAVIOR_INLINE MarkedMesh mark_best(const SheetMarker& marker, Propagation propag
     return best;
 }
 
-PAVIOR_INLINE MarkedMesh mark_everything(const ReferenceMesh& mesh, const MarkingOptions& options) {
-    MarkedMesh out{mesh, {}};
+inline void mark_inner_faces(ReferenceMesh& mesh) {
     const TetTopology topology = tet_topology(mesh);
-    out.reference.layers.clear();
+    mesh.layers.clear();
     for (const Index f : IndexRange(topology.faces.size())) {
         if (!topology.boundary(f)) {
-            out.reference.layers.push_back(topology.faces[f]);
+            mesh.layers.push_back(topology.faces[f]);
         }
+    }
+}
+
+/// Parts the tetrahedra with an edge that is no stack at their centroids; true if there were any.
+inline bool part_flat_tets(ReferenceMesh& mesh) {
+    const TetTopology topology = tet_topology(mesh);
+    const EntityClasses classes = classify(mesh, topology);
+    std::vector<TetCorners> tets;
+    for (const Index t : IndexRange(mesh.tets.size())) {
+        const TetCorners c = mesh.tets[t];
+        const auto& edges = topology.tet_edges[t];
+        if (std::all_of(edges.begin(), edges.end(), [&](Index e) { return classes.edge[e] == EntityClass::stack; })) {
+            tets.push_back(c);
+            continue;
+        }
+        const auto centre = static_cast<Index>(mesh.nodes.size());
+        mesh.nodes.emplace_back(0.25 * (mesh.nodes[c[0]] + mesh.nodes[c[1]] + mesh.nodes[c[2]] + mesh.nodes[c[3]]));
+        for (std::size_t k = 0; k < 4; ++k) {
+            tets.push_back(c);
+            tets.back()[k] = centre;
+        }
+    }
+    const bool parted = tets.size() > mesh.tets.size();
+    mesh.tets = std::move(tets);
+    return parted;
+}
+
+PAVIOR_INLINE MarkedMesh mark_everything(const ReferenceMesh& mesh, const MarkingOptions& options) {
+    MarkedMesh out{mesh, {}};
+    mark_inner_faces(out.reference);
+    if (part_flat_tets(out.reference)) {
+        mark_inner_faces(out.reference);
     }
     out.report.sheets = {{SheetKind::everything, {}, 0}};
     out.report.layer_sheets.assign(out.reference.layers.size(), 0);

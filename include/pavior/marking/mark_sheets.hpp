@@ -54,7 +54,8 @@ private:
 /// True if whole sheets failed without making so many blocks that nothing better can be hoped for.
 [[nodiscard]] inline bool worth_stopping(const SheetReport& whole) { return !whole.valid && whole.blocks <= 4096; }
 
-/// Every inner face becomes a layer: midpoint subdivision of the tetrahedra.
+/// Every inner face becomes a layer: midpoint subdivision of the tetrahedra. Those with an edge that only they have and
+/// that is no feature, which would be no corner of a block, are parted at their centroids before.
 [[nodiscard]] PAVIOR_INLINE MarkedMesh mark_everything(const ReferenceMesh& mesh, const MarkingOptions& options);
 
 }  // namespace detail

@@ -47,7 +47,8 @@ struct MarkingOptions {
     /// violations have multiplied.
     double max_growth = 64.0;
     /// What to do when repair gives up: true marks every face of the reference mesh as a layer, which makes four
-    /// blocks of each tetrahedron and is always valid; false leaves the violations in the report.
+    /// blocks of each tetrahedron and is always valid (tetrahedra with two faces on one smooth patch are parted at their
+    /// centroids before); false leaves the violations in the report.
     bool split_everything = false;
     /// Smallest scaled Jacobian of the blocks of a valid marking, 1 for cubes; unset: that of a simple placement.
     std::function<double(const ReferenceMesh&)> quality;
