@@ -2,7 +2,7 @@
 # The program must succeed, and print exactly what the expected file says where that file exists.
 cmake_minimum_required(VERSION 3.25)
 
-execute_process(COMMAND ${program} RESULT_VARIABLE result OUTPUT_VARIABLE output)
+execute_process(COMMAND ${program} ${arguments} RESULT_VARIABLE result OUTPUT_VARIABLE output)
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "${program} ended with ${result}\n${output}")
 endif()

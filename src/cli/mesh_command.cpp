@@ -211,6 +211,7 @@ ExitCode run_mesh(const MeshCommand& command) {
     PartOptions options;
     options.size = command.size;
     options.seconds = command.timeout;
+    options.node_entities = false;  // no format of ours holds them
     options.execution = Execution{command.threads};
     options.progress = bar.sink();
     if (command.method) {

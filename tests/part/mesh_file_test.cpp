@@ -40,6 +40,20 @@ TEST_CASE("A STEP file becomes hexahedra with groups, decisions and reports") {
     for (const int face : part.data.quad_groups) {
         REQUIRE_FALSE(group_name(part.data, 2, face).empty());
     }
+    const NodeEntities& entities = part.entities;
+    REQUIRE(entities.of_node.size() == part.check.nodes);
+    CHECK(entities.distance < 1e-6);
+    const GmshBrep model = GmshBrep::load(data + "/assembly/bolt_plate_washer.step");
+    std::size_t vertices = 0;
+    for (std::size_t i = 0; i < entities.of_node.size(); ++i) {
+        const NodeEntity& entity = entities.of_node[i];
+        vertices += entity.dimension == 0 ? 1 : 0;
+        if (entity.dimension < 3) {
+            REQUIRE((entity_point(model, entity) - part.data.mesh.nodes[i]).norm() < 1e-6);
+        }
+    }
+    CHECK(vertices > 20);
+    CHECK(vertices <= model.vertex_count());
     const MethodTry& taken = part.decisions[0].tries[*part.decisions[0].taken];
     const auto report = nlohmann::json::parse(taken.report);
     CHECK(report["mesh"]["hexahedra"] == part.check.hexahedra);

@@ -2,6 +2,7 @@
 /// \file
 /// The door: hexahedra for all solids of a model, each group that hangs together by the method that suits it.
 
+#include <pavior/brep/node_entities.hpp>
 #include <pavior/brep/touching_solids.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/core/stopwatch.hpp>
@@ -13,6 +14,8 @@
 #include <pavior/part/try_method.hpp>
 
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <utility>
@@ -47,6 +50,28 @@ template <brep B>
     return options;
 }
 
+/// node_entities() of a mesh whose groups are tags of the entities of \p b.
+template <brep B>
+[[nodiscard]] NodeEntities entities_of(const B& b, const HexMeshData& data) {
+    std::map<int, SolidId> solid;
+    for (const SolidId s : all_solids(b)) {
+        solid.emplace(b.tag(3, s.index()), s);
+    }
+    std::map<int, FaceId> face;
+    for (std::int32_t f = 0; f < static_cast<std::int32_t>(b.face_count()); ++f) {
+        face.emplace(b.tag(2, FaceId{f}.index()), FaceId{f});
+    }
+    std::vector<SolidId> hex_solid;
+    for (const int tag : data.hex_groups) {
+        hex_solid.push_back(solid.at(tag));
+    }
+    std::vector<FaceId> quad_face;
+    for (const int tag : data.quad_groups) {
+        quad_face.push_back(face.at(tag));
+    }
+    return node_entities(b, data.mesh.nodes, data.mesh.hexes, hex_solid, data.quads, quad_face);
+}
+
 /// Decides group by group and joins what was taken. attempt(method, solids, seconds) makes a try.
 template <brep B, class Attempt>
 [[nodiscard]] PartMesh mesh_groups(const B& b, const PartOptions& options, const Attempt& attempt) {
@@ -74,6 +99,9 @@ template <brep B, class Attempt>
     }
     result.data.groups = entity_groups(b, solids);
     result.check = check_mesh(result.data.mesh, options.execution);
+    if (options.node_entities && result.valid()) {
+        result.entities = entities_of(b, result.data);
+    }
     result.seconds = watch.total();
     report(options.progress, "done", 1);
     return result;

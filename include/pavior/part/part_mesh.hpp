@@ -3,6 +3,7 @@
 /// What mesh_part() and mesh_file() return: a mesh, and the decision as data.
 
 #include <pavior/brep/brep.hpp>
+#include <pavior/brep/node_entities.hpp>
 #include <pavior/core/compiled.hpp>
 #include <pavior/mesh/grouped_mesh.hpp>
 #include <pavior/mesh/mesh_check.hpp>
@@ -75,6 +76,8 @@ struct PartMesh {
     HexMeshData data;
     std::vector<PartDecision> decisions;  ///< one for each group of solids that touch
     MeshCheck check;                      ///< of data
+    /// For each node of data the entity of the model that it lies on, and its parameters there; of valid meshes only.
+    NodeEntities entities;
     double seconds = 0;
 
     /// Whether every solid has a mesh.

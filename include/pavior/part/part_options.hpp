@@ -42,6 +42,7 @@ struct PartOptions {
     std::vector<PartMethod> methods;
     /// Nothing more is tried once a valid mesh has a least scaled Jacobian of this.
     double sufficient = 0.2;
+    bool node_entities = true;  ///< fill PartMesh::entities: some evaluations of the model for each boundary node
     double seconds = 60;  ///< limit for each solid; 0: none. A method that others follow may use half of what is left
     Execution execution = sequential;  ///< its stop token ends the call by Stopped
     Progress progress = {};            ///< never runs backwards

@@ -1,5 +1,3 @@
 #pragma once
 struct Unnamed {};
-inline int forgotten(int x) {
-    return x;
-}
+inline int forgotten(int x) { return x; }

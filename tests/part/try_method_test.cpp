@@ -1,0 +1,61 @@
+#include "support/catch.hpp"
+#include "support/grid_cap.hpp"
+#include "support/test_brep.hpp"
+
+#include <pavior/cad/region_quads.hpp>
+#include <pavior/core/stop.hpp>
+#include <pavior/glpk/solve_program.hpp>
+#include <pavior/imprint/imprint.hpp>
+#include <pavior/part/try_method.hpp>
+
+#include <new>
+#include <stdexcept>
+
+using namespace pavior;
+using namespace pavior::test;
+
+namespace {
+
+template <class Caps>
+MethodTry tried(PartMethod method, const TestBrep& b, const std::vector<SolidId>& solids, Caps caps) {
+    const auto none = [](SolidId, double, const FeatureOptions&) -> BlockReference {
+        throw Error(ErrorCode::tetrahedra_failed, "none");
+    };
+    Kernels kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, caps, none};
+    PartOptions options;
+    options.size = 0.5;
+    return try_method(method, b, solids, options, kernels, [] { return false; });
+}
+
+}  // namespace
+
+TEST_CASE("Each method by itself meshes what it can, with notes") {
+    TestBrep b;
+    const std::vector<SolidId> solids{add_prism(b, l_shape(), 0, 1)};
+    for (const PartMethod method : {PartMethod::submap, PartMethod::multi_sweep, PartMethod::mixed}) {
+        const MethodTry result = tried(method, b, solids, GridCap<TestBrep>{&b});
+        INFO(to_string(method) << ": " << result.reason);
+        CHECK(result.method == method);
+        CHECK(result.outcome == TryOutcome::mesh);
+        CHECK(result.hexahedra == result.data.mesh.hexes.size());
+        CHECK_FALSE(result.notes.empty());
+        CHECK(result.seconds > 0);
+    }
+    const MethodTry block = tried(PartMethod::block, b, solids, GridCap<TestBrep>{&b});
+    CHECK(block.outcome == TryOutcome::refused);
+    CHECK_THAT(block.reason, Catch::Contains("none"));
+}
+
+TEST_CASE("Whatever a kernel throws becomes the outcome, but for Stopped") {
+    TestBrep b;
+    const std::vector<SolidId> solids{add_cylinder(b, 1, 1, 2)};
+    const auto with = [&](auto what) {
+        return tried(PartMethod::sweep, b, solids, [what](FaceId, const CapBoundary&) -> CapMesh { throw what; });
+    };
+    CHECK(with(UnmeshableError(ErrorCode::not_sweepable, "no", {3, 1, 3})).faces == std::vector{1, 3});
+    const MethodTry logic = with(std::logic_error("odd"));
+    CHECK(logic.outcome == TryOutcome::died);
+    CHECK(logic.reason == "odd");
+    CHECK(with(std::bad_alloc()).reason == "not enough memory");
+    CHECK_THROWS_AS(with(Stopped()), Stopped);
+}
