@@ -1,7 +1,9 @@
 #pragma once
 
 #include <pavior/block/chain_curve.hpp>
+#include <pavior/block/detail/mean_value.hpp>
 #include <pavior/block/detail/nearest_weights.hpp>
+#include <pavior/block/detail/patch_disc.hpp>
 #include <pavior/block/patch_map.hpp>
 #include <pavior/mesh/cells.hpp>
 
@@ -16,6 +18,10 @@
 #include <vector>
 
 namespace pavior {
+
+PAVIOR_INLINE Vec2 PatchMap::side(std::size_t s, double t) const {
+    return detail::polygon_side(polygon_, static_cast<std::uint32_t>(s), t);
+}
 
 PAVIOR_INLINE PatchMap::PatchMap(const PatchDisc& disc, std::size_t enough) {
     detail::Disc d = detail::checked_disc(disc);

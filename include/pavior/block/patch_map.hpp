@@ -2,16 +2,23 @@
 /// \file
 /// A patch of triangles as the image of a convex polygon.
 
-#include <pavior/block/detail/mean_value.hpp>
-#include <pavior/block/detail/patch_disc.hpp>
 #include <pavior/block/detail/triangle_locator.hpp>
 #include <pavior/core/compiled.hpp>
+#include <pavior/mesh/cells.hpp>
 
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace pavior {
+
+/// A disc of triangles and its sides.
+struct PatchDisc {
+    std::vector<Vec3> points;
+    std::vector<TriCorners> triangles;      ///< all oriented alike
+    std::vector<std::vector<Index>> sides;  ///< >= 3; side s: points from corner s to corner s + 1, both included,
+                                            ///< the inside to the left as the triangles see it
+};
 
 /// A one-to-one map of a convex polygon onto a disc of triangles: corners to corners, sides to sides by arc length.
 /// A planar disc with straight sides and convex corners is its own polygon: the map is then a rigid motion. Others are
@@ -29,9 +36,7 @@ public:
     /// Corners of the polygon, counter-clockwise; corner s is that of the disc.
     [[nodiscard]] std::span<const Vec2> polygon() const { return polygon_; }
     /// The point of side \p s at the fraction \p t of its length.
-    [[nodiscard]] Vec2 side(std::size_t s, double t) const {
-        return detail::polygon_side(polygon_, static_cast<std::uint32_t>(s), t);
-    }
+    [[nodiscard]] Vec2 side(std::size_t s, double t) const;
     /// True if the map is a rigid motion.
     [[nodiscard]] bool rigid() const { return rigid_; }
 

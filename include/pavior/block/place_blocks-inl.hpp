@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pavior/block/detail/block_placer.hpp>
 #include <pavior/block/place_blocks.hpp>
 #include <pavior/core/error.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <pavior/block/block_geometry.hpp>
 #include <pavior/block/block_mesh.hpp>
-#include <pavior/block/detail/block_placer.hpp>
+#include <pavior/block/place_blocks.hpp>
 #include <pavior/core/compiled.hpp>
 
 #include <cstddef>

@@ -3,6 +3,7 @@
 /// Patches as discs of triangles: what they must be.
 
 #include <pavior/block/detail/disc_refinement.hpp>
+#include <pavior/block/patch_map.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/mesh/cells.hpp>
 
@@ -14,14 +15,6 @@
 #include <vector>
 
 namespace pavior {
-
-/// A disc of triangles and its sides.
-struct PatchDisc {
-    std::vector<Vec3> points;
-    std::vector<TriCorners> triangles;      ///< all oriented alike
-    std::vector<std::vector<Index>> sides;  ///< >= 3; side s: points from corner s to corner s + 1, both included,
-                                            ///< the inside to the left as the triangles see it
-};
 
 namespace detail {
 
