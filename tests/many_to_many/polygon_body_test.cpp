@@ -35,3 +35,21 @@ TEST_CASE("caps without area and points that are not finite are named") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_AS(PolygonBody({bottom(0, {{{0, 0}, {1, nan}, {1, 1}}})}), InputError);
 }
+
+TEST_CASE("a point given twice in a row is named") {
+    const auto ids_of = [](const std::vector<std::vector<Vec2>>& loops) {
+        try {
+            (void)PolygonBody({bottom(0, {box(0, 0, 4, 4)}), top(1, loops)});
+        } catch (const InputError& error) {
+            CHECK(error.code() == ErrorCode::duplicate_node);
+            return error.ids();
+        }
+        return Error::Ids{};
+    };
+    CHECK(ids_of({{{0, 0}, {4, 0}, {4, 0}, {4, 4}, {0, 4}}}) == Error::Ids{1, 0, 2});
+    CHECK(ids_of({box(0, 0, 4, 4), {{1, 1}, {1, 2}, {2, 2}, {1, 1}}}) ==
+          Error::Ids{1, 1, 0});  // closed by its first point
+    CHECK(ids_of({{{0.1, 0}, {4.1, 0}, {4.1 + 1e-15, 0}, {4.1, 4}, {0, 4}}}) == Error::Ids{1, 0, 2});
+    CHECK(ids_of({{{0, 0}, {4, 0}, {4, 1e-9}, {4, 4}, {0, 4}}}).empty());
+    CHECK(ids_of({{{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 1}, {0, 2}}}).empty());  // it touches itself
+}

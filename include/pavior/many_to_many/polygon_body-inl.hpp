@@ -45,6 +45,23 @@ PAVIOR_INLINE Vec3 PolygonBody::curve_point(Index curve, const Vec2& near) const
     return {best[0], best[1], cap_height(cap_of_curve_[curve], best)};
 }
 
+namespace detail {
+
+/// The first point of a closed polygon in the place of the one before it, up to the rounding of the coordinates; its
+/// size if there is none.
+[[nodiscard]] PAVIOR_INLINE std::size_t repeated_point(std::span<const Vec2> loop) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec2& before = loop[i == 0 ? loop.size() - 1 : i - 1];
+        const double rounding = 8 * std::numeric_limits<double>::epsilon() * loop[i].cwiseAbs().maxCoeff();
+        if ((loop[i] - before).cwiseAbs().maxCoeff() <= rounding) {
+            return i;
+        }
+    }
+    return loop.size();
+}
+
+}  // namespace detail
+
 PAVIOR_INLINE void PolygonBody::check(std::size_t c) const {
     const Error::Ids ids{static_cast<std::int64_t>(c)};
     bool small = caps_[c].loops.empty();
@@ -57,6 +74,17 @@ PAVIOR_INLINE void PolygonBody::check(std::size_t c) const {
     }
     if (small) {
         throw InputError(ErrorCode::empty_input, "cap " + std::to_string(c) + " has a loop without area", ids);
+    }
+    for (std::size_t l = 0; l < caps_[c].loops.size(); ++l) {
+        const std::vector<Vec2>& loop = caps_[c].loops[l];
+        const std::size_t i = detail::repeated_point(loop);
+        if (i < loop.size()) {
+            throw InputError(
+                ErrorCode::duplicate_node,
+                "cap " + std::to_string(c) + ": point " + std::to_string(i) + " of loop " + std::to_string(l) +
+                    " lies where the one before it does",
+                {static_cast<std::int64_t>(c), static_cast<std::int64_t>(l), static_cast<std::int64_t>(i)});
+        }
     }
 }
 

@@ -31,7 +31,8 @@ struct PolygonBodyOptions {
 /// width.
 class PolygonBody {
 public:
-    /// \throws InputError empty_input (a cap without loops, a loop of fewer than three points), not_finite
+    /// \throws InputError empty_input (a cap without loops, a loop of fewer than three points), not_finite,
+    /// duplicate_node (a point in the place of the one before it, up to rounding; ids: cap, loop, point)
     explicit PolygonBody(std::vector<PolygonCap> caps, const PolygonBodyOptions& options = {});
 
     [[nodiscard]] const ExtrudedBody& body() const { return body_; }
