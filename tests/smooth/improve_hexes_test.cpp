@@ -455,6 +455,30 @@ TEST_CASE("improve_hexes reads a foreign mesh and an archetype", "[improve_hexes
     CHECK(improve_hexes(view, FixedNodes{grid.fixed}).nodes == copy.nodes);
 }
 
+TEST_CASE("a guide of another number of nodes than the mesh is refused", "[improve_hexes]") {
+    HexGrid grid = hex_grid(2, 2, 2);
+    shake(grid, 0.3, 1);
+    const auto code_of = [&](const auto& guide) {
+        const HexGrid before = grid;
+        try {
+            improve_hexes(grid.nodes, grid.hexes, guide);
+        } catch (const InputError& error) {
+            CHECK(grid.nodes == before.nodes);
+            return error.code();
+        }
+        return ErrorCode::unreadable_file;
+    };
+    const std::span<const std::uint8_t> flags(grid.fixed);
+    CHECK(code_of(FixedNodes{flags.first(26)}) == ErrorCode::size_mismatch);
+    CHECK(code_of(FixedNodes{}) == ErrorCode::size_mismatch);
+    const std::vector<Freedom> freedoms(28, Freedom::fixed);
+    const auto stay = [](Index, const Vec3& x) { return x; };
+    CHECK(code_of(GuidedNodes{std::span<const Freedom>(freedoms), stay}) == ErrorCode::size_mismatch);
+    CHECK(code_of(GuidedNodes{std::span<const Freedom>(freedoms).first(27), stay}) == ErrorCode::unreadable_file);
+    const HexMeshView view{grid.nodes, grid.hexes};
+    CHECK_THROWS_AS(improve_hexes(view, FixedNodes{flags.first(3)}), InputError);
+}
+
 TEST_CASE("improve_hexes: callers' mistakes", "[improve_hexes]") {
     const HexGrid grid = hex_grid(2, 2, 2);
     const auto code_of = [](HexGrid given, const ImproveOptions& options = {}, std::vector<Vec3> reference = {}) {

@@ -5,6 +5,7 @@
 #include <pavior/core/compiled.hpp>
 #include <pavior/math/point.hpp>
 #include <pavior/mesh/mesh_access.hpp>
+#include <pavior/mesh/span_mesh.hpp>
 #include <pavior/smooth/detail/guided_model.hpp>
 #include <pavior/smooth/detail/untangle.hpp>
 #include <pavior/smooth/detail/worst_first.hpp>
@@ -16,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace pavior {
@@ -54,6 +56,9 @@ struct ImprovedHexes {
 namespace detail {
 
 PAVIOR_INLINE void check_options(const ImproveOptions& options);
+
+/// \throws InputError size_mismatch if a guide that knows \p known nodes is to guide \p nodes
+PAVIOR_INLINE void check_guide(std::size_t known, std::size_t nodes);
 
 /// Repairs, then raises the worst first; \p result holds what was before.
 template <node_guide G>
@@ -108,8 +113,8 @@ void improve(std::span<Vec3> nodes, std::span<const HexCorners> hexes, GuidedMod
 /// \param reference  only for step 1, as in untangle_hexes().
 /// \return the report. A hexahedron with an inverted corner between fixed nodes, or with one that contradicts others
 /// at a fixed node, is not worked on: it is reported.
-/// \throws InputError size_mismatch, bad_index, not_finite, bad_option; and what the guide throws. The nodes are as
-/// they were then.
+/// \throws InputError size_mismatch (of the guide, too), bad_index, not_finite, bad_option; and what the guide throws.
+/// The nodes are as they were then.
 /// O(hexahedra) if the minimum is at options.target already, otherwise O(hexahedra) a round and O(patch) an iteration.
 /// The same bytes for any number of threads; patches run in parallel, those with sliding nodes only if the guide is
 /// concurrent. Not to be called on one mesh from two threads.
@@ -118,6 +123,9 @@ SmoothReport improve_hexes(std::span<Vec3> nodes, std::span<const HexCorners> he
                            const ImproveOptions& options = {}, std::span<const Vec3> reference = {}) {
     detail::check_options(options);
     detail::check_mesh<3>(nodes, hexes, nodes.size(), reference);
+    if constexpr (requires { guide.size(); }) {
+        detail::check_guide(static_cast<std::size_t>(guide.size()), nodes.size());
+    }
     std::vector<Freedom> freedoms(nodes.size());
     std::vector<std::uint8_t> fixed(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -146,19 +154,10 @@ SmoothReport improve_hexes(std::span<Vec3> nodes, std::span<const HexCorners> he
 template <hex_mesh M, node_guide G>
 [[nodiscard]] ImprovedHexes improve_hexes(const M& mesh, const G& guide, const ImproveOptions& options = {},
                                           std::span<const Vec3> reference = {}) {
-    ImprovedHexes result;
-    result.nodes.reserve(node_count(mesh));
-    for (const Index i : IndexRange(node_count(mesh))) {
-        result.nodes.push_back(node(mesh, i));
-    }
-    std::vector<HexCorners> hexes;
-    hexes.reserve(hex_count(mesh));
-    for (const Index h : IndexRange(hex_count(mesh))) {
-        hexes.push_back(hex(mesh, h));
-    }
-    result.report =
-        improve_hexes(std::span(result.nodes), std::span<const HexCorners>(hexes), guide, options, reference);
-    return result;
+    HexMesh copy = to_hex_mesh(mesh);
+    SmoothReport report =
+        improve_hexes(std::span(copy.nodes), std::span<const HexCorners>(copy.hexes), guide, options, reference);
+    return {std::move(copy.nodes), std::move(report)};
 }
 
 }  // namespace pavior

@@ -33,7 +33,9 @@ enum class Freedom : std::uint8_t {
 ///    point x of it; any length and sense, null where there is none (the node rests then). Without it the direction is
 ///    estimated from four calls of project;
 /// 4. (optional) g.concurrent() is true if project and direction may be called from several threads; assumed false;
-/// 5. (not checkable) answers depend on the arguments alone; g.project(i, x) is x for a point x of the curve or surface
+/// 5. (optional) g.size() is convertible to std::size_t: the number of nodes it knows, refused (InputError
+///    size_mismatch) unless that of the mesh;
+/// 6. (not checkable) answers depend on the arguments alone; g.project(i, x) is x for a point x of the curve or surface
 ///    (up to rounding) and continuous near it.
 /// One concept serves CAD faces (closest point), patches of triangles and analytic surfaces.
 template <class G>
@@ -46,6 +48,7 @@ concept node_guide = requires(const std::remove_cvref_t<G>& g, Index i, const Ve
 struct FixedNodes {
     std::span<const std::uint8_t> fixed;  ///< one flag per node; 0: moves freely
 
+    [[nodiscard]] std::size_t size() const { return fixed.size(); }
     [[nodiscard]] Freedom freedom(Index i) const { return fixed[i] != 0 ? Freedom::fixed : Freedom::space; }
     [[nodiscard]] static Vec3 project(Index, const Vec3& x) { return x; }
     [[nodiscard]] static bool concurrent() { return true; }
@@ -61,6 +64,7 @@ struct GuidedNodes {
     Project projection;
     bool thread_safe = false;  ///< the callable may be called from several threads
 
+    [[nodiscard]] std::size_t size() const { return freedoms.size(); }
     [[nodiscard]] Freedom freedom(Index i) const { return freedoms[i]; }
     [[nodiscard]] Vec3 project(Index i, const Vec3& x) const { return projection(i, x); }
     [[nodiscard]] bool concurrent() const { return thread_safe; }
