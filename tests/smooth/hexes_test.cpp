@@ -2,6 +2,7 @@
 
 #include "smooth/meshes.hpp"
 #include "support/catch.hpp"
+#include "support/foreign_meshes.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -274,4 +275,24 @@ TEST_CASE("hexes: callers' mistakes", "[hexes]") {
     bad = grid;
     bad.nodes[13].z() = NAN;
     CHECK(code_of(bad) == ErrorCode::not_finite);
+}
+
+TEST_CASE("untangle_hexes reads a foreign mesh and an archetype", "[hexes]") {
+    HexGrid grid = hex_grid(4, 4, 4);
+    shake(grid, 0.9, 3);
+    for (Vec3& x : grid.nodes) {
+        x = x.cast<float>().cast<double>();
+    }
+    HexGrid copy = grid;
+    const SmoothReport expected = untangle(copy);
+    CHECK(expected.status == SmoothStatus::repaired);
+    const archetype::Hexes minimal(HexMesh{grid.nodes, grid.hexes});
+    const UntangledHexes result = untangle_hexes(minimal, grid.fixed);
+    CHECK(result.nodes == copy.nodes);
+    CHECK(result.report.iterations == expected.iterations);
+    CHECK(minimal.get().nodes == grid.nodes);
+    const std::vector<Vec3> reference = hex_grid(4, 4, 4).nodes;
+    untangle(grid, {}, reference);
+    CHECK(untangle_hexes(minimal, grid.fixed, {}, reference).nodes == grid.nodes);
+    CHECK_THROWS_AS(untangle_hexes(minimal, std::span(grid.fixed).first(3)), InputError);
 }

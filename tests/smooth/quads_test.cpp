@@ -2,6 +2,7 @@
 
 #include "smooth/meshes.hpp"
 #include "support/catch.hpp"
+#include "support/foreign_meshes.hpp"
 
 #include <Eigen/Core>
 
@@ -310,4 +311,23 @@ TEST_CASE("no quads, no work", "[quads]") {
     UntangleOptions options;
     options.always = true;
     CHECK(untangle(empty, options).status == SmoothStatus::unchanged);
+}
+
+TEST_CASE("untangle_quads reads an archetype, along z", "[quads]") {
+    QuadGrid grid = quad_grid(6, 6);
+    shake(grid, 0.9, 3);
+    QuadMesh mesh{{}, grid.quads};
+    for (std::size_t i = 0; i < grid.nodes.size(); ++i) {
+        grid.nodes[i] = grid.nodes[i].cast<float>().cast<double>();
+        mesh.nodes.emplace_back(grid.nodes[i].x(), grid.nodes[i].y(), 0.5 * static_cast<double>(i));
+    }
+    const archetype::Quads minimal(mesh);
+    const UntangledQuads result = untangle_quads(minimal, grid.fixed);
+    CHECK(untangle(grid).status == SmoothStatus::repaired);
+    CHECK(result.report.status == SmoothStatus::repaired);
+    REQUIRE(result.nodes.size() == grid.nodes.size());
+    for (std::size_t i = 0; i < grid.nodes.size(); ++i) {
+        CHECK(result.nodes[i] == Vec3(grid.nodes[i].x(), grid.nodes[i].y(), mesh.nodes[i].z()));
+    }
+    CHECK_THROWS_AS(untangle_quads(minimal, std::span(grid.fixed).first(3)), InputError);
 }

@@ -2,14 +2,18 @@
 /// \file
 /// Untangles and optimises hexahedra, boundary fixed.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/math/point.hpp>
 #include <pavior/mesh/cells.hpp>
-#include <pavior/smooth/detail/cartesian_model.hpp>
+#include <pavior/mesh/mesh_access.hpp>
+#include <pavior/mesh/span_mesh.hpp>
 #include <pavior/smooth/options.hpp>
 #include <pavior/smooth/report.hpp>
 
 #include <cstdint>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace pavior {
 
@@ -28,10 +32,28 @@ namespace pavior {
 /// \throws InputError size_mismatch, bad_index, not_finite, bad_option. The nodes are untouched then.
 /// O(hexahedra) plus O(nodes freed) per iteration; about 300 bytes per hexahedron freed. The result does not depend on
 /// options.execution. Not to be called on one mesh from two threads.
-inline SmoothReport untangle_hexes(std::span<Vec3> nodes, std::span<const HexCorners> hexes,
-                                   std::span<const std::uint8_t> fixed, const UntangleOptions& options = {},
-                                   std::span<const Vec3> reference = {}) {
-    return detail::untangle_cartesian<3>(nodes, hexes, fixed, options, reference);
+PAVIOR_INLINE SmoothReport untangle_hexes(std::span<Vec3> nodes, std::span<const HexCorners> hexes,
+                                          std::span<const std::uint8_t> fixed, const UntangleOptions& options = {},
+                                          std::span<const Vec3> reference = {});
+
+/// Untangled nodes of a mesh that stays as it is.
+struct UntangledHexes {
+    std::vector<Vec3> nodes;  ///< as many, in the same order
+    SmoothReport report;
+};
+
+/// The same for any hex_mesh, which is not changed.
+template <hex_mesh M>
+[[nodiscard]] UntangledHexes untangle_hexes(const M& mesh, std::span<const std::uint8_t> fixed,
+                                            const UntangleOptions& options = {}, std::span<const Vec3> reference = {}) {
+    HexMesh copy = to_hex_mesh(mesh);
+    SmoothReport report =
+        untangle_hexes(std::span(copy.nodes), std::span<const HexCorners>(copy.hexes), fixed, options, reference);
+    return {std::move(copy.nodes), std::move(report)};
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/smooth/hexes-inl.hpp>
+#endif
