@@ -1,4 +1,6 @@
 #include "support/catch.hpp"
+#include "support/foreign_meshes.hpp"
+#include "support/shapes.hpp"
 
 #include <pavior/core/error.hpp>
 #include <pavior/io/mesh_file.hpp>
@@ -111,4 +113,22 @@ TEST_CASE("unreadable files are named") {
     CHECK_THROWS_WITH(read_mesh(scratch() / "tet.inp"), Catch::Contains("C3D4"));
     write_text(scratch() / "id.inp", "*NODE\n1,0,0,0\n*ELEMENT, TYPE=C3D8\n1,1,2,3,4,5,6,7,8\n");
     CHECK_THROWS_WITH(read_mesh(scratch() / "id.inp"), Catch::Contains("node 2"));
+}
+
+TEST_CASE("any hexahedral mesh is written, without groups") {
+    const HexMesh box = shapes::hex_box(2, 1, 2);  // halves are floats
+    for (const char* name : {"any.vtu", "any.msh", "any.inp"}) {
+        CAPTURE(name);
+        const std::string file = scratch() / name;
+        write_mesh(file, archetype::Hexes(box));
+        const HexMeshData back = read_mesh(file);
+        CHECK(back.mesh.nodes == box.nodes);
+        CHECK(back.mesh.hexes == box.hexes);
+        CHECK(back.quads.empty());
+    }
+    const std::vector<std::array<int, 8>> cells{{0, 1, 2, 3, 4, 5, 6, 7}};
+    const std::array<std::array<double, 3>, 8> points{
+        {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
+    write_mesh(scratch() / "view.vtk", HexMeshView{points, cells});
+    CHECK(read_mesh(scratch() / "view.vtk").mesh.nodes[6] == Vec3(1, 1, 1));
 }

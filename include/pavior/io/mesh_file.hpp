@@ -22,6 +22,12 @@ namespace pavior {
 /// \throws FileError (unknown extension, directory missing or not writable), InputError (size_mismatch of the groups)
 void write_mesh(const std::string& file, const HexMeshData& data);
 
+/// The same for the hexahedra of any hex_mesh, without quads and groups.
+template <hex_mesh M>
+void write_mesh(const std::string& file, const M& mesh) {
+    write_mesh(file, HexMeshData{to_hex_mesh(mesh), {}, {}, {}, {}});
+}
+
 /// Reads the linear hexahedra (and quads) of \p file: .vtu .vtk .msh .inp. Other volume cells are refused, since they
 /// could not be judged; lines, points and triangles are skipped.
 /// \throws FileError naming the file and what is wrong with it
