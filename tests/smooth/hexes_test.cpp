@@ -1,3 +1,4 @@
+#include <pavior/core/stop.hpp>
 #include <pavior/smooth/hexes.hpp>
 
 #include "smooth/meshes.hpp"
@@ -220,6 +221,30 @@ TEST_CASE("hexes: same bytes for any number of threads", "[hexes]") {
     CHECK(a.status == SmoothStatus::repaired);
     CHECK(a.iterations == b.iterations);
     CHECK(one.nodes == three.nodes);
+}
+
+TEST_CASE("hexes: a stop leaves the mesh as it was, before anything and in the middle", "[hexes]") {
+    HexGrid grid = hex_grid(8, 8, 8);
+    shake(grid, 5.0, 3);
+    const HexGrid before = grid;
+    for (const double when : {0.0, 0.01, 0.5}) {
+        std::stop_source source;
+        UntangleOptions options;
+        options.always = true;
+        options.execution = {2, source.get_token()};
+        std::vector<double> seen;
+        options.progress = [&](std::string_view, double fraction) {
+            seen.push_back(fraction);
+            if (fraction >= when) {
+                source.request_stop();
+            }
+        };
+        CHECK_THROWS_AS(untangle(grid, options), Stopped);
+        CHECK(grid.nodes == before.nodes);
+        CHECK(std::is_sorted(seen.begin(), seen.end()));
+        CHECK(seen.back() >= when);
+        CHECK(seen.back() < 1.0);
+    }
 }
 
 TEST_CASE("thin layers keep their shape with a reference", "[hexes]") {

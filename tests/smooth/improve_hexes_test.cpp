@@ -1,3 +1,4 @@
+#include <pavior/core/stop.hpp>
 #include <pavior/smooth/improve_hexes.hpp>
 
 #include "smooth/meshes.hpp"
@@ -534,19 +535,46 @@ TEST_CASE("improve_hexes: nothing to work on", "[improve_hexes]") {
     CHECK(rigid.nodes == before.nodes);
 }
 
-TEST_CASE("improve_hexes: progress goes from 0 to 1", "[improve_hexes]") {
-    HexGrid grid = hex_grid(5, 5, 5);
-    shake(grid, 0.3, 1);
-    std::vector<double> fractions;
+TEST_CASE("improve_hexes: progress rises from 0 to 1", "[improve_hexes]") {
+    for (const unsigned seed : {1U, 2U, 3U}) {
+        HexGrid grid = hex_grid(5, 5, 5);
+        shake(grid, 0.3 + 0.2 * seed, seed);
+        std::vector<double> fractions;
+        ImproveOptions options;
+        options.progress = [&](std::string_view, double fraction) { fractions.push_back(fraction); };
+        improve(grid, options);
+        REQUIRE(fractions.size() > 2);
+        CHECK(fractions.front() == 0.0);
+        CHECK(fractions.back() == 1.0);
+        CHECK(std::is_sorted(fractions.begin(), fractions.end()));
+    }
+}
+
+TEST_CASE("improve_hexes: a stop at any stage leaves the mesh as it was", "[improve_hexes]") {
+    HexGrid grid = hex_grid(6, 6, 6);
+    shake(grid, 0.6, 4);
+    const HexGrid before = grid;
+    std::size_t reports = 0;
     ImproveOptions options;
-    options.progress = [&](std::string_view stage, double fraction) {
-        if (stage == "improve") {
-            fractions.push_back(fraction);
-        }
-    };
+    options.progress = [&](std::string_view, double) { ++reports; };
     improve(grid, options);
-    REQUIRE(fractions.size() > 2);
-    CHECK(fractions.front() == 0.0);
-    CHECK(fractions.back() == 1.0);
-    CHECK(std::all_of(fractions.begin(), fractions.end(), [](double f) { return f >= 0.0 && f <= 1.0; }));
+    CHECK(grid.nodes != before.nodes);
+    const std::size_t all = reports;
+    REQUIRE(all > 4);
+    for (const unsigned threads : {1U, 3U}) {
+        for (std::size_t at = 1; at < all; at += 1 + all / 10) {
+            CAPTURE(at, threads);
+            std::stop_source source;
+            options.execution = {threads, source.get_token()};
+            reports = 0;
+            options.progress = [&](std::string_view, double) {
+                if (++reports == at) {
+                    source.request_stop();
+                }
+            };
+            grid = before;
+            CHECK_THROWS_AS(improve(grid, options), Stopped);
+            CHECK(grid.nodes == before.nodes);
+        }
+    }
 }

@@ -29,7 +29,7 @@ namespace pavior {
 /// \param reference  empty, or one point per node: the shape each hexahedron should take; any scale. Empty: cubes of
 ///                   the mean volume. Corners that are degenerate or inverted in it count as those of cubes.
 /// \return the report. A hexahedron with an inverted corner between fixed nodes cannot be repaired: it is reported.
-/// \throws InputError size_mismatch, bad_index, not_finite, bad_option. The nodes are untouched then.
+/// \throws InputError size_mismatch, bad_index, not_finite, bad_option; Stopped. The nodes are as they were then.
 /// O(hexahedra) plus O(nodes freed) per iteration; about 300 bytes per hexahedron freed. The result does not depend on
 /// options.execution. Not to be called on one mesh from two threads.
 PAVIOR_INLINE SmoothReport untangle_hexes(std::span<Vec3> nodes, std::span<const HexCorners> hexes,

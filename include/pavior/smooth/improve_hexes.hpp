@@ -43,7 +43,10 @@ struct ImproveOptions {
     HexPositivity positivity = HexPositivity::corners_and_centre;
     /// Length of SmoothReport::inverted_ids at most.
     std::size_t max_ids = 1000;
+    /// Threads, and the token that ends the call, which is looked at in every evaluation of a patch.
     Execution execution = sequential;
+    /// Stages "untangle" if something is inverted, then "improve": from 0 to 1, never backwards. Silent if the mesh is as
+    /// good as wanted.
     Progress progress = {};
 };
 
@@ -71,8 +74,11 @@ void improve(std::span<Vec3> nodes, std::span<const HexCorners> hexes, GuidedMod
             result.iterations = Untangler<3, GuidedModel<G>>(model, hexes, fixed, untangling).run().iterations;
         }
         PatchFinder<3> finder(hexes, fixed);
-        const WorstFirstOptions limits{options.target,   options.sufficient, options.gain,      options.rings,
-                                       options.attempts, options.effort,     options.execution, options.progress};
+        const WorstFirstOptions limits{
+            options.target,    options.sufficient,
+            options.gain,      options.rings,
+            options.attempts,  options.effort,
+            options.execution, result.inverted_before != 0 ? stage_of(options.progress, 0.5, 1.0) : options.progress};
         WorstFirst<GuidedModel<G>> improver(model, hexes.size(), finder, limits);
         result.iterations += improver.run();
         for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -113,8 +119,8 @@ void improve(std::span<Vec3> nodes, std::span<const HexCorners> hexes, GuidedMod
 /// \param reference  only for step 1, as in untangle_hexes().
 /// \return the report. A hexahedron with an inverted corner between fixed nodes, or with one that contradicts others
 /// at a fixed node, is not worked on: it is reported.
-/// \throws InputError size_mismatch (of the guide, too), bad_index, not_finite, bad_option; and what the guide throws.
-/// The nodes are as they were then.
+/// \throws InputError size_mismatch (of the guide, too), bad_index, not_finite, bad_option; Stopped; and what the guide
+/// throws. The nodes are as they were then.
 /// O(hexahedra) if the minimum is at options.target already, otherwise O(hexahedra) a round and O(patch) an iteration.
 /// The same bytes for any number of threads; patches run in parallel, those with sliding nodes only if the guide is
 /// concurrent. Not to be called on one mesh from two threads.
@@ -137,7 +143,7 @@ SmoothReport improve_hexes(std::span<Vec3> nodes, std::span<const HexCorners> he
     untangling.sufficient_det = 0.0;  // the second step raises it
     untangling.positivity = options.positivity;
     untangling.execution = options.execution;
-    untangling.progress = options.progress;
+    untangling.progress = stage_of(options.progress, 0.0, 0.5);
     detail::GuidedModel<G> model(nodes, hexes, fixed, guide, freedoms, reference, untangling);
     SmoothReport result;
     const std::vector<double> quality = detail::scan_quality(model, hexes.size(), options.execution);

@@ -43,7 +43,9 @@ struct UntangleOptions {
     bool reversed = false;
     /// Length of SmoothReport::inverted_ids at most.
     std::size_t max_ids = 1000;
+    /// Threads, and the token that ends the call, which is looked at in every evaluation of the distortion.
     Execution execution = sequential;
+    /// Stages "untangle", then "smooth" if `always`: from 0 to 1, never backwards. Silent if nothing is to be done.
     Progress progress = {};
 };
 

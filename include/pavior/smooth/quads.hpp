@@ -31,7 +31,7 @@ namespace pavior {
 /// \param reference  empty, or one point per node: the shape each quad should take, e.g. the source cap; any scale.
 ///                   Empty: squares of the mean area. Quads that are degenerate or inverted in it count as squares.
 /// \return the report. A quad with a corner between fixed nodes that is inverted cannot be repaired: it is reported.
-/// \throws InputError size_mismatch, bad_index, not_finite, bad_option. The nodes are untouched then.
+/// \throws InputError size_mismatch, bad_index, not_finite, bad_option; Stopped. The nodes are as they were then.
 /// O(quads) plus O(nodes freed) per iteration. Not to be called on one mesh from two threads.
 PAVIOR_INLINE SmoothReport untangle_quads(std::span<Vec2> nodes, std::span<const QuadCorners> quads,
                                           std::span<const std::uint8_t> fixed, const UntangleOptions& options = {},

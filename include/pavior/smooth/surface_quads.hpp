@@ -31,7 +31,8 @@ namespace pavior {
 /// \param reference_nodes  empty, or one point in space per node: the shape each quad should take, e.g. the source cap;
 ///                   any scale and position. Empty: squares of the mean area.
 /// \return the report; its determinants are those in space. A quad that is folded by fixed nodes alone is reported.
-/// \throws InputError size_mismatch, bad_index, not_finite, bad_option. The parameters are untouched then.
+/// \throws InputError size_mismatch, bad_index, not_finite, bad_option; Stopped; what the surface throws. The parameters
+/// are as they were then.
 template <parametric_surface Surface>
 SmoothReport untangle_surface_quads(const Surface& surface, std::span<Vec2> uv, std::span<const QuadCorners> quads,
                                     std::span<const std::uint8_t> fixed, const UntangleOptions& options = {},
@@ -52,7 +53,8 @@ SmoothReport untangle_surface_quads(const Surface& surface, std::span<Vec2> uv, 
         quads = turned;
     }
     detail::SurfaceModel<Surface> model(surface, uv, quads, fixed, reference_nodes, options);
-    return detail::Untangler<2, detail::SurfaceModel<Surface>>(model, quads, fixed, options).run();
+    return detail::done_or_undone(
+        uv, [&] { return detail::Untangler<2, detail::SurfaceModel<Surface>>(model, quads, fixed, options).run(); });
 }
 
 }  // namespace pavior

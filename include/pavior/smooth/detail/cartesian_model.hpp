@@ -218,7 +218,7 @@ SmoothReport untangle_cartesian(std::span<Eigen::Matrix<double, D, 1>> nodes, st
     check_options(options);
     check_mesh<D>(nodes, cells, fixed.size(), reference);
     CartesianModel<D> model(nodes, cells, fixed, reference, options);
-    return Untangler<D, CartesianModel<D>>(model, cells, fixed, options).run();
+    return done_or_undone(nodes, [&] { return Untangler<D, CartesianModel<D>>(model, cells, fixed, options).run(); });
 }
 
 }  // namespace pavior::detail

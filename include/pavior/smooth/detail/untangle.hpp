@@ -112,6 +112,18 @@ void check_finite(std::span<const Point> nodes, const char* what) {
     }
 }
 
+/// work(); if that throws, what it may have written goes back.
+template <class T, class Work>
+auto done_or_undone(std::span<T> written, const Work& work) {
+    const std::vector<T> before(written.begin(), written.end());
+    try {
+        return work();
+    } catch (...) {
+        std::copy(before.begin(), before.end(), written.begin());
+        throw;
+    }
+}
+
 /// Repairs and optimises through a smoothing_model.
 template <int D, smoothing_model<D> Model>
 class Untangler {
@@ -120,6 +132,8 @@ public:
               const UntangleOptions& options)
         : model_(model),
           options_(options),
+          repair_progress_(options.always ? stage_of(options.progress, 0.0, 0.5) : options.progress),
+          smooth_progress_(stage_of(options.progress, 0.5, 1.0)),
           cells_(cells),
           fixed_(fixed),
           quality_(cells.size()),
@@ -192,10 +206,10 @@ private:
         const double total = static_cast<double>(seeds.size());
         for (int rings = options_.local ? 1 : all_rings; !seeds.empty();
              rings = rings < all_rings ? 2 * rings : rings) {
-            report(options_.progress, "untangle", 1.0 - static_cast<double>(seeds.size()) / total);
+            report(repair_progress_, "untangle", 1.0 - static_cast<double>(seeds.size()) / total);
             seeds = repair_round(finder, seeds, rings);
         }
-        report(options_.progress, "untangle", 1.0);
+        report(repair_progress_, "untangle", 1.0);
     }
 
     /// One attempt per patch round the seeds; the seeds that deserve another.
@@ -273,7 +287,7 @@ private:
         for (std::size_t c = 0; c < all.size(); ++c) {
             all[c] = static_cast<Index>(c);
         }
-        report(options_.progress, "smooth", 0.0);
+        report(smooth_progress_, "smooth", 0.0);
         for (const Patch<D>& patch : finder.find(all, 1)) {
             const Score before = score(patch);
             const auto saved = model_.save(patch);
@@ -284,7 +298,7 @@ private:
                 after.inverted < before.inverted || (after.inverted == before.inverted && after.least >= before.least);
             keep(patch, better, saved);
         }
-        report(options_.progress, "smooth", 1.0);
+        report(smooth_progress_, "smooth", 1.0);
     }
 
     static constexpr std::size_t large_patch = 2000;  ///< cells; a larger one gets fewer attempts
@@ -292,6 +306,8 @@ private:
 
     Model& model_;
     const UntangleOptions& options_;
+    Progress repair_progress_;
+    Progress smooth_progress_;
     std::span<const CellCorners<D>> cells_;
     std::span<const std::uint8_t> fixed_;
     std::vector<double> quality_;

@@ -52,8 +52,10 @@ public:
         }
         const double allowed = options_.effort * static_cast<double>(std::max<std::size_t>(1000, states_.size()));
         report(options_.progress, "improve", 0.0);
+        double done = 0.0;  // the worst that is not stuck may become worse: a stuck one has another try
         for (std::vector<Index> seeds = next_seeds(); !seeds.empty() && work_ < allowed; seeds = next_seeds()) {
-            report(options_.progress, "improve", std::clamp(quality_[seeds.front()] / options_.target, 0.0, 1.0));
+            done = std::max(done, std::min(1.0, quality_[seeds.front()] / options_.target));
+            report(options_.progress, "improve", done);
             for (int idle = 0; !seeds.empty(); ++idle) {
                 std::vector<Index> same;
                 std::copy_if(seeds.begin(), seeds.end(), std::back_inserter(same),
