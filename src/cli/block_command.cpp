@@ -28,6 +28,7 @@ BlockOptions block_options(const BlockCommand& command, const Progress& progress
     BlockOptions options;
     options.marking.marking = command.marking;
     options.marking.propagation = command.propagation;
+    options.dualization = command.dualization;
     options.execution = Execution{command.threads};
     options.progress = progress;
     if (command.size > 0.0) {
@@ -67,6 +68,7 @@ Json write_dual_file(const BlockCommand& command, const SolidBlocks& solid) {
 Json options_json(const BlockCommand& command) {
     Json json{{"marking", command.marking == Marking::sheets ? "sheets" : "published"},
               {"propagation", command.propagation == Propagation::full ? "full" : "stop"},
+              {"dualization", command.dualization == Dualization::complex ? "complex" : "contributions"},
               {"mu", command.mu}};
     json["size"] = command.size > 0.0 ? Json(command.size) : Json();
     json["feature_angles"] =

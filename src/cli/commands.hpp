@@ -3,6 +3,7 @@
 #include "exit_code.hpp"
 
 #include <pavior/affine/method.hpp>
+#include <pavior/block/block_mesh.hpp>
 #include <pavior/marking/marking.hpp>
 #include <pavior/part/part_options.hpp>
 #include <pavior/sweep/boundary_error.hpp>
@@ -39,6 +40,7 @@ struct BlockCommand {
     double size = 0;  ///< 0: blocks only
     Marking marking = Marking::sheets;
     Propagation propagation = Propagation::full;
+    Dualization dualization = Dualization::complex;
     double mu = 0.1;                     ///< where the dual surfaces are drawn
     std::vector<double> feature_angles;  ///< end below, corner above, reversal above; empty: the default
     std::string dual;

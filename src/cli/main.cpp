@@ -97,6 +97,10 @@ void add_block(CLI::App& app, BlockCommand& command) {
         "implicit sheets that cut the tetrahedra (sheets, default), or existing faces, Algorithm 5.12 (published)");
     add_choice(app, "--propagation", command.propagation, {{"full", Propagation::full}, {"stop", Propagation::stop}},
                "sheets run on to the boundary (full, default) or to existing curves (stop: fewer blocks)");
+    add_choice(app, "--dualization", command.dualization,
+               {{"complex", Dualization::complex}, {"contributions", Dualization::contributions}},
+               "blocks from the cell complex (complex, default) or, as published, from the local dual contributions "
+               "(contributions): the same bytes");
     app.add_option("--mu", command.mu, "where --dual draws the dual surfaces, between 0 and 1/4; default 0.1");
     app.add_option("--feature-angles", command.feature_angles,
                    "interior dihedral angles in degrees: end below, corner from, reversal from; default 135,225,315")

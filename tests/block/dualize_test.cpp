@@ -8,6 +8,7 @@
 #include <pavior/dual/verify_dual.hpp>
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 #include <set>
 #include <span>
@@ -116,6 +117,83 @@ TEST_CASE("blocks are those read off the contributions and regions", "[dualize]"
         edges.insert({std::min(node[e[0]], node[e[1]]), std::max(node[e[0]], node[e[1]])});
     }
     CHECK(edges == std::set<std::array<Index, 2>>(blocks.edges.begin(), blocks.edges.end()));
+}
+
+namespace {
+void check_equal(const BlockMesh& a, const BlockMesh& b) {
+    CHECK(a.nodes == b.nodes);
+    CHECK(a.first == b.first);
+    CHECK(a.hexes == b.hexes);
+    CHECK(a.edges == b.edges);
+    CHECK(a.quads == b.quads);
+    CHECK(a.quad_hexes == b.quad_hexes);
+    CHECK(a.hex_edges == b.hex_edges);
+    CHECK(a.hex_quads == b.hex_quads);
+    CHECK(a.sheets == b.sheets);
+    CHECK(a.sheet_count == b.sheet_count);
+}
+
+/// The tetrahedra and nodes of \p mesh in a random order.
+pavior::ReferenceMesh shuffled(pavior::ReferenceMesh mesh, unsigned seed) {
+    std::mt19937 random(seed);
+    std::shuffle(mesh.tets.begin(), mesh.tets.end(), random);
+    std::vector<Index> to(mesh.nodes.size());
+    std::iota(to.begin(), to.end(), Index{0});
+    std::shuffle(to.begin(), to.end(), random);
+    std::vector<Vec3> nodes(mesh.nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        nodes[to[i]] = mesh.nodes[i];
+    }
+    mesh.nodes = std::move(nodes);
+    const auto rename = [&](auto& ids) {
+        std::transform(ids.begin(), ids.end(), ids.begin(), [&](Index i) { return to[i]; });
+    };
+    std::for_each(mesh.tets.begin(), mesh.tets.end(), rename);
+    std::for_each(mesh.layers.begin(), mesh.layers.end(), rename);
+    for (auto& patch : mesh.patches) {
+        rename(patch.nodes);
+    }
+    for (auto& curve : mesh.curves) {
+        rename(curve.nodes);
+    }
+    for (auto& vertex : mesh.vertices) {
+        vertex.node = to[vertex.node];
+    }
+    return mesh;
+}
+}  // namespace
+
+TEST_CASE("contributions alone give the same bytes as the cell complex, however the mesh is numbered", "[dualize]") {
+    const Case c = [] {
+        const int which = GENERATE(range(0, 12));
+        return which == 0   ? block_cases::read("ref_brick_table52")
+               : which == 1 ? block_cases::read("ref_pyramid_table58")
+               : which == 2 ? block_cases::read("ref_bug58")
+                            : random_box(static_cast<unsigned>(which));
+    }();
+    check_equal(pavior::dualize_contributions(c.mesh, c.topology, c.classes), blocks_of(c));
+    const Case other = block_cases::complete(shuffled(c.mesh, 7));
+    check_equal(pavior::dualize_contributions(other.mesh, other.topology, other.classes, pavior::Execution{2}),
+                blocks_of(other));
+    CHECK(blocks_of(other).hexes.size() == blocks_of(c).hexes.size());
+}
+
+TEST_CASE("dual points without a hexahedron are refused, and what does not belong together", "[dualize]") {
+    Case c = block_cases::read("ref_pyramid_table58");
+    const Case whole = c;
+    c.mesh.layers.clear();
+    c = block_cases::complete(c.mesh);
+    try {
+        static_cast<void>(pavior::dualize_contributions(c.mesh, c.topology, c.classes));
+        FAIL("no error");
+    } catch (const InputError& error) {
+        CHECK(error.code() == ErrorCode::invalid_dual);
+    }
+    const Case box = block_cases::box({2, 2, 2});
+    const auto contributions = pavior::add_contributions(box.mesh, box.topology, box.classes);
+    const auto regions = pavior::regions(box.mesh, box.topology, contributions);
+    const auto dual = pavior::dual_blocks(box.mesh, box.topology, contributions, regions);
+    CHECK_THROWS_AS(pavior::dualize(whole.mesh, whole.topology, regions, dual), InputError);
 }
 
 TEST_CASE("a cut box is the midpoint subdivision of its pieces", "[dualize]") {

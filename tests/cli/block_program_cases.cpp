@@ -111,6 +111,25 @@ TEST_CASE("sheets run on or stop") {
     CHECK(stopped == 84);
 }
 
+TEST_CASE("blocks read off the local dual contributions are the same bytes as those of the cell complex") {
+    const std::string mc3d = std::string(PAVIOR_EXAMPLE_DATA) + "/mc3d/hexme_s07c_notch_MC.vtk";
+    const std::string hole = std::string(PAVIOR_TEST_DATA) + "/block/c05_plate_two_holes.off";
+    for (const std::string& arguments :
+         {pyramid_off(), pyramid_off() + " --propagation stop --size 0.3", box_vtk(), hole + " --size 2", mc3d}) {
+        CAPTURE(arguments);
+        for (const std::string way : {"complex", "contributions"}) {
+            const ProgramRun outcome =
+                run_program("block " + arguments + " -o " + scratch_file(way + ".vtu") + " --dualization " + way +
+                            " --report " + scratch_file(way + ".json") + " --quiet");
+            CAPTURE(way, outcome.err);
+            REQUIRE(outcome.code == 0);
+            CHECK(json_of(scratch_file(way + ".json"))["options"]["dualization"] == way);
+        }
+        CHECK(content(scratch_file("complex.vtu")) == content(scratch_file("contributions.vtu")));
+        CHECK(read_mesh(scratch_file("complex.vtu")).mesh.hexes.size() >= 8);
+    }
+}
+
 TEST_CASE("--size writes a fine mesh on the geometry, the same bytes for any number of threads") {
     const std::string common =
         "block " + pyramid_off() + " --size 0.2 --quiet --report " + scratch_file("fine.json") + " -o ";
@@ -245,6 +264,7 @@ TEST_CASE("bad block options and files exit with 2 and say why") {
                                          "block " + box + " -o " + mesh + " --size -1",
                                          "block " + box + " -o " + mesh + " --marking none",
                                          "block " + box + " -o " + mesh + " --propagation far",
+                                         "block " + box + " -o " + mesh + " --dualization none",
                                          "block " + box + " -o " + mesh + " --mu 0.25",
                                          "block " + box + " -o " + mesh + " --mu 0",
                                          "block " + box + " -o " + mesh + " --mu nan",

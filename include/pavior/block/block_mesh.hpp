@@ -82,6 +82,12 @@ struct BlockMesh {
     [[nodiscard]] bool boundary_quad(Index quad) const { return quad_hexes[quad][1] == no_index; }
 };
 
+/// What blocks are read off. The outcome is the same to the byte.
+enum class Dualization : std::uint8_t {
+    complex,        ///< the cell complex that the layers cut out: its midpoint subdivision (dual/cell_complex.hpp)
+    contributions,  ///< the local dual contributions and their regions, as published (contributions/contributions.hpp)
+};
+
 /// Completes blocks given by their nodes (ordered by dimension) and corners: edges, quads, sheets. A sheet is a class
 /// of edges that are opposite to each other in some quad: what one number of intervals must serve.
 /// O(n log n). \throws InputError bad_index (nodes that are not in order, corners of the wrong dimension), invalid_dual

@@ -28,14 +28,22 @@ namespace pavior {
 
 /// Options of block_solid().
 struct BlockOptions {
-    /// Marking of layers. Its `quality`, if unset, is the smallest scaled Jacobian that place_blocks() reaches.
+    /// Marking of layers. Its `quality`, if unset, is the smallest scaled Jacobian that place_blocks() reaches; its
+    /// `execution` keeps its threads and gets the token of the one below.
     MarkingOptions marking = {};
     /// False: the layers that the reference mesh comes with are all there are.
     bool mark = true;
+    /// Where nodes and hexahedra of the blocks come from, those that `quality` looks at included. The cell complex is
+    /// made in any case: the verdict on the dual and the shapes of chains and patches (block_geometry()) are its own.
+    Dualization dualization = Dualization::complex;
+    /// Its `execution` is the one below.
     PlaceOptions place = {};
-    /// Refinement, with the threads below; unset (default): blocks only.
+    /// Refinement, with the execution below; unset (default): blocks only.
     std::optional<RefineOptions> refine = {};
+    /// Threads, and the token that ends the call.
     Execution execution = sequential;
+    /// Stages "marking", "dual", "blocks", "refinement", the stages of those between: from 0 to 1, never backwards. Where
+    /// marking or refinement have a sink of their own, that one gets their stages, from 0 to 1 too.
     Progress progress = {};
 };
 
@@ -83,67 +91,43 @@ struct SolidBlocks {
 namespace detail {
 
 /// Topology, classes, cell complex and its verdict.
-PAVIOR_INLINE void analyse(SolidBlocks& solid, Execution execution);
+PAVIOR_INLINE void analyse(SolidBlocks& solid, const Execution& execution);
 
 /// Blocks and their places, the dual being valid.
-PAVIOR_INLINE void make_blocks(SolidBlocks& solid, const PlaceOptions& place, Execution execution);
+PAVIOR_INLINE void make_blocks(SolidBlocks& solid, const BlockOptions& options);
+
+/// The options of marking with what they take from those of block_solid(), which must outlive them.
+[[nodiscard]] PAVIOR_INLINE MarkingOptions marking_options(const BlockOptions& options);
+
+/// All that comes after the marking.
+PAVIOR_INLINE void block_marked(SolidBlocks& solid, const BlockOptions& options);
 
 }  // namespace detail
 
-/// The smallest scaled Jacobian of the blocks that the layers of \p mesh make; -1 if these are not valid.
-[[nodiscard]] PAVIOR_INLINE double block_quality(const ReferenceMesh& mesh, const PlaceOptions& place = {},
-                                                 Execution execution = sequential);
+/// The smallest scaled Jacobian of the blocks that the layers of \p mesh make; -1 if these are not valid. Options used:
+/// dualization, place, execution. \throws Stopped
+[[nodiscard]] PAVIOR_INLINE double block_quality(const ReferenceMesh& mesh, const BlockOptions& options = {});
 
 /// Decomposes the solid of \p reference into blocks (Algorithm 5.1 \cite roca2009): marks layers, analyses the dual,
 /// dualizes, places the block nodes and, if asked for, refines. Geometric outcomes are in the report, not thrown.
 /// The same bytes for any number of threads.
-/// \throws InputError for meshes and options that make no sense
+/// \throws InputError for meshes and options that make no sense; Stopped
 template <classified_tet_mesh M>
 [[nodiscard]] SolidBlocks block_solid(const M& reference, const BlockOptions& options = {}) {
     SolidBlocks solid;
-    BlockSolidReport& report = solid.report;
-    Stopwatch watch;
+    const Stopwatch watch;
     if (options.mark) {
-        MarkingOptions marking = options.marking;
-        if (!marking.quality) {
-            marking.quality = [&](const ReferenceMesh& mesh) {
-                return block_quality(mesh, options.place, options.execution);
-            };
-        }
-        if (!marking.progress) {
-            marking.progress = options.progress;
-        }
-        pavior::report(options.progress, "marking", 0.0);
+        report(options.progress, "marking", 0.0);
+        const MarkingOptions marking = detail::marking_options(options);
         MarkedMesh marked =
             marking.marking == Marking::sheets ? mark_sheets(reference, marking) : mark_published(reference, marking);
         solid.reference = std::move(marked.reference);
-        report.marking = std::move(marked.report);
+        solid.report.marking = std::move(marked.report);
     } else {
         solid.reference = detail::copy_reference(reference);
     }
-    report.marking_seconds = watch.lap();
-    pavior::report(options.progress, "dual", 0.5);
-    detail::analyse(solid, options.execution);
-    report.dual_seconds = watch.lap();
-    if (!report.dual.valid()) {
-        return solid;
-    }
-    pavior::report(options.progress, "blocks", 0.6);
-    detail::make_blocks(solid, options.place, options.execution);
-    report.status = report.blocks.ok() ? BlockStatus::valid : BlockStatus::inverted_blocks;
-    if (options.refine) {
-        pavior::report(options.progress, "refinement", 0.7);
-        static_cast<void>(watch.lap());
-        RefineOptions refine = *options.refine;
-        refine.execution = options.execution;
-        if (!refine.progress) {
-            refine.progress = options.progress;
-        }
-        solid.fine = refine_blocks(solid.blocks, solid.geometry, solid.placement, refine);
-        report.refine_seconds = watch.lap();
-        const bool good = report.blocks.conforming() && solid.fine->untangling.inverted_after == 0;
-        report.status = good ? BlockStatus::valid : BlockStatus::inverted_mesh;
-    }
+    solid.report.marking_seconds = watch.total();
+    detail::block_marked(solid, options);
     return solid;
 }
 

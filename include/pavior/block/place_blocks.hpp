@@ -5,6 +5,7 @@
 #include <pavior/block/block_geometry.hpp>
 #include <pavior/block/block_mesh.hpp>
 #include <pavior/core/compiled.hpp>
+#include <pavior/core/execution.hpp>
 
 #include <cstddef>
 #include <vector>
@@ -18,6 +19,8 @@ struct PlaceOptions {
     double sufficient = 0.1;
     /// Rounds over the nodes of such blocks; 0: no node is moved.
     int max_rounds = 40;
+    /// Its token ends the call; one thread whatever it says.
+    Execution execution = sequential;
 };
 
 /// Where the nodes of blocks lie.
@@ -37,7 +40,8 @@ struct BlockPlacement {
 /// better. Blocks that stay inverted are reported: their edges are straight, so that a block of a curved patch can be
 /// inverted although its refinement is not.
 /// O(blocks) a round. Deterministic, thread-safe.
-/// \throws InputError size_mismatch unless \p geometry is that of the cell complex of \p blocks, bad_option
+/// \throws InputError size_mismatch unless \p geometry is that of the cell complex of \p blocks, bad_option;
+/// Stopped
 [[nodiscard]] PAVIOR_INLINE BlockPlacement place_blocks(const BlockMesh& blocks, const BlockGeometry& geometry,
                                                         const PlaceOptions& options = {});
 

@@ -6,6 +6,7 @@
 #include <pavior/block/refine_blocks.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/core/parallel_for.hpp>
+#include <pavior/core/stop.hpp>
 #include <pavior/smooth/hexes.hpp>
 
 #include <algorithm>
@@ -34,6 +35,7 @@ public:
           lattice_(blocks, out_.sheets) {}
 
     [[nodiscard]] RefinedBlocks run() {
+        report(options_.progress, "nodes", 0.0);
         out_.mesh.nodes.resize(lattice_.node_count());
         out_.node_origin.resize(lattice_.node_count());
         out_.mesh.hexes.resize(lattice_.hex_count());
@@ -45,7 +47,9 @@ public:
         each(blocks_.quads.size(), [&](Index q) { fill_quad(q); });
         each(blocks_.hexes.size(), [&](Index h) { fill_hex(h); });
         collect_boundary();
+        report(options_.progress, "nodes", 0.3);
         untangle();
+        report(options_.progress, "nodes", 1.0);
         return std::move(out_);
     }
 
@@ -149,6 +153,7 @@ private:
             if (!blocks_.boundary_quad(q)) {
                 continue;
             }
+            check_stop(options_.execution.stop);
             const auto n = lattice_.quad_intervals(q);
             const Index patch = blocks_.nodes[blocks_.quad_origin(q)].id;
             const auto places = curves_.places(q);
@@ -178,7 +183,7 @@ private:
         options.always = options_.optimise;
         options.max_ids = std::numeric_limits<std::size_t>::max();
         options.execution = options_.execution;
-        options.progress = options_.progress;
+        options.progress = stage_of(options_.progress, 0.3, 1.0);
         out_.untangling = untangle_hexes(out_.mesh.nodes, out_.mesh.hexes, fixed, options);
         for (const Index h : out_.untangling.inverted_ids) {
             if (out_.inverted_blocks.empty() || out_.inverted_blocks.back() != out_.hex_block[h]) {

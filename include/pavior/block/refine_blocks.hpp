@@ -27,7 +27,9 @@ struct RefineOptions {
     bool untangle = true;
     /// Also move inner nodes where nothing is inverted, for the shape of the hexahedra. Slow.
     bool optimise = false;
+    /// Threads, and the token that ends the call.
     Execution execution = sequential;
+    /// Stages "nodes" and those of untangle_hexes(): from 0 to 1, never backwards.
     Progress progress = {};
 };
 
@@ -60,7 +62,7 @@ struct RefinedBlocks {
 /// possible: see RefinedBlocks::untangling and inverted_blocks.
 /// O(nodes). Deterministic: the same bytes for any number of threads.
 /// \throws InputError size_mismatch (placement, geometry or intervals not of these blocks), bad_option (an interval of
-/// 0, a size that is not finite), overflow (2^32 nodes or more)
+/// 0, a size that is not finite), overflow (2^32 nodes or more); Stopped
 [[nodiscard]] PAVIOR_INLINE RefinedBlocks refine_blocks(const BlockMesh& blocks, const BlockGeometry& geometry,
                                                         const BlockPlacement& placement,
                                                         const RefineOptions& options = {});

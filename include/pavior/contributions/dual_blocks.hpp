@@ -19,6 +19,7 @@ namespace pavior {
 struct DualBlocks {
     /// Corners are regions: 0 of dimension 0, 1 3 4 of dimension 1, 2 5 7 of dimension 2, 6 of dimension 3; positive.
     std::vector<HexCorners> blocks;
+    std::vector<Index> tet;                   ///< of each block: the smallest tetrahedron round its dual point
     std::vector<std::array<Index, 2>> edges;  ///< regions that a hard contribution separates, ascending
     std::size_t irregular = 0;                ///< dual points whose regions do not form a hexahedron
 };
@@ -47,11 +48,12 @@ public:
             for (std::size_t candidate = vertex_candidates; candidate < candidate_count; ++candidate) {
                 const std::size_t k = tet_candidates[candidate].entity;
                 if (contributions_[t][candidate] == Contribution::hard && (seen_[t] >> k & 1) == 0) {
-                    flood(t, k, c[k]);
+                    const Index smallest = flood(t, k, c[k]);
                     const std::optional<HexCorners> block = corners(t, c[k]);
                     out.irregular += block ? 0 : 1;
                     if (block) {
                         out.blocks.push_back(*block);
+                        out.tet.push_back(smallest);
                     }
                 }
             }
@@ -63,7 +65,9 @@ private:
     using Pair = std::pair<Index, Index>;
 
     /// Collects the hard contributions at \p node in tetrahedron t and on across faces that were not added.
-    void flood(Index t, std::size_t k, Index node) {
+    /// \return the smallest tetrahedron met
+    Index flood(Index t, std::size_t k, Index node) {
+        Index smallest = t;
         pairs_.clear();
         follows_.clear();
         precedes_.clear();
@@ -72,6 +76,7 @@ private:
         while (!stack_.empty()) {
             const Index at = stack_.back();
             stack_.pop_back();
+            smallest = std::min(smallest, at);
             const TetCorners c = tet(mesh_, at);
             const std::size_t apex = local_node(c, node);
             collect(at, apex, node);
@@ -90,6 +95,7 @@ private:
             std::sort(pairs->begin(), pairs->end());
             pairs->erase(std::unique(pairs->begin(), pairs->end()), pairs->end());
         }
+        return smallest;
     }
 
     void collect(Index t, std::size_t apex, Index node) {

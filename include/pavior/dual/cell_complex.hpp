@@ -4,6 +4,7 @@
 /// contributions of chapter 5 \cite roca2009 compute: block nodes = cells of all dimensions, blocks = corners.
 
 #include <pavior/core/compiled.hpp>
+#include <pavior/core/stop.hpp>
 #include <pavior/dual/classify.hpp>
 #include <pavior/dual/detail/chain_tracer.hpp>
 #include <pavior/dual/detail/corner_finder.hpp>
@@ -93,7 +94,7 @@ PAVIOR_INLINE void number_patches(const TetTopology& topology, const EntityClass
 }  // namespace detail
 
 /// The cell complex of \p mesh with these classes. It is made for any classes, valid or not: verify_dual() judges it.
-/// O(n); the same bytes for any number of threads.
+/// O(n); the same bytes for any number of threads. \throws Stopped
 template <tet_mesh M>
 [[nodiscard]] CellComplex cell_complex(const M& mesh, const TetTopology& topology, const EntityClasses& classes,
                                        Execution execution = sequential) {
@@ -106,9 +107,12 @@ template <tet_mesh M>
         }
     }
     detail::number_cells(topology, classes, execution, out);
+    check_stop(execution.stop);
     detail::number_patches(topology, classes, out);
     detail::ChainTracer(topology, classes, out).run();
+    check_stop(execution.stop);
     detail::LoopTracer(mesh, topology, classes, out).run();
+    check_stop(execution.stop);
     detail::CornerFinder(mesh, topology, classes, out).run();
     return out;
 }

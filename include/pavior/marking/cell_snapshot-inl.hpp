@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pavior/core/stop.hpp>
 #include <pavior/dual/verify_dual.hpp>
 #include <pavior/marking/cell_snapshot.hpp>
 #include <pavior/math/hexahedron.hpp>
@@ -13,11 +14,12 @@
 
 namespace pavior {
 
-PAVIOR_INLINE CellSnapshot cell_snapshot(const ReferenceMesh& mesh) {
+PAVIOR_INLINE CellSnapshot cell_snapshot(const ReferenceMesh& mesh, const Execution& execution) {
     CellSnapshot s;
-    s.topology = tet_topology(mesh);
-    s.classes = classify(mesh, s.topology);
-    s.complex = cell_complex(mesh, s.topology, s.classes);
+    s.topology = tet_topology(mesh, execution);
+    s.classes = classify(mesh, s.topology, execution);
+    s.complex = cell_complex(mesh, s.topology, s.classes, execution);
+    check_stop(execution.stop);
     s.report = verify_dual(mesh, s.topology, s.classes, s.complex);
     return s;
 }

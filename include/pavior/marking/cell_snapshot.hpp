@@ -17,8 +17,9 @@ struct CellSnapshot {
     DualReport report;
 };
 
-/// O(n).
-[[nodiscard]] PAVIOR_INLINE CellSnapshot cell_snapshot(const ReferenceMesh& mesh);
+/// O(n). \throws Stopped
+[[nodiscard]] PAVIOR_INLINE CellSnapshot cell_snapshot(const ReferenceMesh& mesh,
+                                                       const Execution& execution = sequential);
 
 /// How good the blocks are that the corners make.
 struct CellQuality {

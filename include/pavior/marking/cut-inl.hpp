@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pavior/core/disjoint_sets.hpp>
+#include <pavior/core/stop.hpp>
 #include <pavior/marking/cut.hpp>
 
 #include <algorithm>
@@ -16,9 +17,10 @@ namespace detail {
 
 /// All different edges of the tetrahedra for which wanted(low, high), sorted.
 template <class Wanted>
-[[nodiscard]] std::vector<std::array<Index, 2>> collect_edges(const ReferenceMesh& mesh, const Wanted& wanted) {
+[[nodiscard]] std::vector<std::array<Index, 2>> collect_edges(const CutMesh& cut, const Wanted& wanted) {
     std::vector<std::array<Index, 2>> edges;
-    for (const TetCorners& tet : mesh.tets) {
+    for (const TetCorners& tet : cut.mesh.tets) {
+        check_stop(cut.execution.stop);
         for (const auto& [i, j] : tet_edges) {
             const auto edge = ascending(tet[static_cast<std::size_t>(i)], tet[static_cast<std::size_t>(j)]);
             if (wanted(edge[0], edge[1])) {
@@ -69,7 +71,7 @@ void bisect_valued(CutMesh& cut, SheetCut& sheet, const std::vector<EdgeCut>& cu
 /// Bisects edges whose ends do not tell how the curved zero set crosses them.
 inline void resolve_curvature(CutMesh& cut, SheetCut& sheet) {
     for (int round = 0; round < 8; ++round) {
-        const auto edges = collect_edges(cut.mesh, [&](Index a, Index b) { return surprises(cut, sheet, a, b); });
+        const auto edges = collect_edges(cut, [&](Index a, Index b) { return surprises(cut, sheet, a, b); });
         std::vector<EdgeCut> cuts;
         for (const auto& [a, b] : edges) {
             if (!std::binary_search(sheet.start_edges.begin(), sheet.start_edges.end(), std::array{a, b})) {
@@ -112,7 +114,7 @@ inline void resolve_curvature(CutMesh& cut, SheetCut& sheet) {
 /// Nodes that were put beside a plane zero set but have an edge across it are on it after all.
 inline void release_fixed(const CutMesh& cut, SheetCut& sheet) {
     const auto& v = sheet.values;
-    const auto across = collect_edges(cut.mesh, [&](Index a, Index b) {
+    const auto across = collect_edges(cut, [&](Index a, Index b) {
         return ((sheet.fixed[a] != 0) != (sheet.fixed[b] != 0)) && ((v[a] < 0 && v[b] > 0) || (v[a] > 0 && v[b] < 0));
     });
     for (const auto& [a, b] : across) {
@@ -124,7 +126,7 @@ inline void release_fixed(const CutMesh& cut, SheetCut& sheet) {
 [[nodiscard]] inline std::vector<std::array<Index, 2>> reachable_crossings(const CutMesh& cut, const SheetCut& sheet) {
     const auto& values = sheet.values;
     const auto crosses = [&](Index a, Index b) { return values[a] * values[b] < 0; };
-    auto edges = collect_edges(cut.mesh, crosses);
+    auto edges = collect_edges(cut, crosses);
     const auto nodes = static_cast<Index>(values.size());
     DisjointSets sets(values.size() + edges.size());
     std::vector<char> started(sets.size(), 0);
@@ -182,9 +184,11 @@ PAVIOR_INLINE std::vector<SheetFace> bisect_along(CutMesh& cut, SheetCut& sheet)
     const auto edges = reachable_crossings(cut, sheet);
     std::vector<EdgeCut> cuts;
     for (const auto& [a, b] : edges) {
+        check_stop(cut.execution.stop);
         cuts.push_back({a, b, crossing(cut, sheet, a, b)});
     }
     bisect_valued(cut, sheet, cuts, [](const EdgeCut&) { return std::pair(0.0, char{1}); });
+    check_stop(cut.execution.stop);
     return sheet_faces(cut.mesh, sheet);
 }
 

@@ -3,6 +3,7 @@
 /// Bisection of chosen edges of a reference mesh: conforming, deterministic, everything on the mesh inherited.
 
 #include <pavior/core/compiled.hpp>
+#include <pavior/core/execution.hpp>
 #include <pavior/dual/reference_mesh.hpp>
 
 #include <span>
@@ -22,6 +23,7 @@ struct CutMesh {
     ReferenceMesh mesh;
     std::vector<Index> layer_sheets;  ///< per layer
     std::vector<char> marks;          ///< per tetrahedron, inherited by its pieces; empty: none
+    Execution execution = {};         ///< of the work on it: whatever cuts it throws Stopped when asked to
 };
 
 /// Bisects the edges of \p cuts, which must be sorted by (low, high) and different: cut k makes the node that had the

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pavior/core/stop.hpp>
 #include <pavior/dual/boundary_surface.hpp>
 #include <pavior/dual/features.hpp>
 #include <pavior/marking/mark_published.hpp>
@@ -39,9 +40,10 @@ PAVIOR_INLINE PublishedMarker::PublishedMarker(const ReferenceMesh& mesh, const 
     each_use([&](Index e, Index f) { faces_[next[e]++] = f; });
 }
 
-PAVIOR_INLINE std::vector<Index> PublishedMarker::mark() {
+PAVIOR_INLINE std::vector<Index> PublishedMarker::mark(const std::stop_token& stop) {
     std::vector<FrontEdge> front = first_front();
     for (bool grown = true; grown;) {
+        check_stop(stop);
         std::vector<FrontEdge> next;
         grown = false;
         for (const auto& [edge, from] : front) {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -27,7 +28,7 @@ public:
     PublishedMarker(const ReferenceMesh& mesh, const TetTopology& topology);
 
     /// \return the marked faces, ascending
-    [[nodiscard]] std::vector<Index> mark();
+    [[nodiscard]] std::vector<Index> mark(const std::stop_token& stop = {});
 
 private:
     /// Lines 4 to 6: re-entrant edges and edges at vertices of valence 4 and more, with their boundary faces.
@@ -55,12 +56,12 @@ private:
 /// more than three, fronts advance across edges to the inner face that is most parallel to the last, until they bring
 /// nothing new. Reversal curves are treated as corners. Layers that the mesh has already stay. Where the mesh has no
 /// faces along the continued patches the fronts zigzag and the result is not valid: see MarkedMesh::report.
-/// Options used: quality, progress. O(n) a step of the fronts.
+/// Options used: quality, execution, progress. O(n) a step of the fronts. \throws Stopped
 template <classified_tet_mesh M>
 [[nodiscard]] MarkedMesh mark_published(const M& mesh, const MarkingOptions& options = {}) {
     MarkedMesh out{detail::copy_reference(mesh), {}};
-    const TetTopology topology = tet_topology(out.reference);
     report(options.progress, "fronts", 0.0);
+    const TetTopology topology = tet_topology(out.reference, options.execution);
     out.report.sheets = {{SheetKind::given, {}, out.reference.layers.size()}, {SheetKind::published, {}, 0}};
     out.report.layer_sheets.assign(out.reference.layers.size(), 0);
     std::vector<Index> given;
@@ -68,14 +69,14 @@ template <classified_tet_mesh M>
         given.push_back(topology.face(layer));
     }
     std::sort(given.begin(), given.end());
-    for (const Index f : detail::PublishedMarker(out.reference, topology).mark()) {
+    for (const Index f : detail::PublishedMarker(out.reference, topology).mark(options.execution.stop)) {
         if (!std::binary_search(given.begin(), given.end(), f)) {
             out.reference.layers.push_back(topology.faces[f]);
             out.report.layer_sheets.push_back(1);
             ++out.report.sheets[1].faces;
         }
     }
-    judge_marking(out.reference, cell_snapshot(out.reference), options, out.report);
+    judge_marking(out.reference, cell_snapshot(out.reference, options.execution), options, out.report);
     out.report.tries = 1;
     report(options.progress, "fronts", 1.0);
     return out;

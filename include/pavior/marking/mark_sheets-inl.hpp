@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pavior/core/stop.hpp>
 #include <pavior/marking/cut.hpp>
 #include <pavior/marking/field.hpp>
 #include <pavior/marking/judge_marking.hpp>
@@ -48,13 +49,13 @@ PAVIOR_INLINE SheetMarker::SheetMarker(const ReferenceMesh& mesh, const MarkingO
       options_(options),
       size_(diagonal(mesh.nodes)),
       tolerance_(options.tolerance * size_),
-      topology_(tet_topology(mesh)),
+      topology_(tet_topology(mesh, options.execution)),
       boundary_(front_boundary(mesh, topology_)),
       fronts_(sheet_fronts(mesh, topology_, boundary_, tolerance_)) {}
 
 PAVIOR_INLINE MarkedMesh SheetMarker::mark(Grouping grouping, const std::vector<SheetGroup>& groups,
-                                           Propagation propagation) const {
-    CutMesh cut{mesh_, {}, {}};
+                                           Propagation propagation, const Progress& progress) const {
+    CutMesh cut{mesh_, {}, {}, options_.execution};
     SheetReport report;
     report.grouping = grouping;
     if (!mesh_.layers.empty()) {
@@ -62,18 +63,20 @@ PAVIOR_INLINE MarkedMesh SheetMarker::mark(Grouping grouping, const std::vector<
         cut.layer_sheets.assign(mesh_.layers.size(), 0);
     }
     for (const SheetGroup& group : groups) {
+        check_stop(options_.execution.stop);
         SheetCut sheet = sheet_field(cut.mesh, group, fronts_, boundary_, tolerance_);
         cut_sheet(cut, sheet, static_cast<Index>(report.sheets.size()), propagation);
         report.sheets.push_back({group.kind, curves_of(group, fronts_), 0});
-        pavior::report(options_.progress, "sheets",
-                       static_cast<double>(report.sheets.size()) / static_cast<double>(groups.size() + 1));
+        pavior::report(progress, "sheets",
+                       0.5 * static_cast<double>(report.sheets.size()) / static_cast<double>(groups.size() + 1));
     }
-    repair(cut, report, propagation);
+    repair(cut, report, propagation, stage_of(progress, 0.5, 1.0));
     return {std::move(cut.mesh), std::move(report)};
 }
 
-PAVIOR_INLINE void SheetMarker::repair(CutMesh& cut, SheetReport& report, Propagation propagation) const {
-    CellSnapshot now = cell_snapshot(cut.mesh);
+PAVIOR_INLINE void SheetMarker::repair(CutMesh& cut, SheetReport& report, Propagation propagation,
+                                       const Progress& progress) const {
+    CellSnapshot now = cell_snapshot(cut.mesh, cut.execution);
     const double limit =
         options_.max_growth * static_cast<double>(std::max<std::size_t>(now.complex.corners.size(), 16));
     const std::size_t most = 16 * (now.report.violations.size() + 4);
@@ -91,23 +94,23 @@ PAVIOR_INLINE void SheetMarker::repair(CutMesh& cut, SheetReport& report, Propag
             report.sheets.push_back({r.kind, {}, 0});
         }
         ++report.rounds;
-        pavior::report(options_.progress, "repair", static_cast<double>(report.rounds) / options_.max_rounds);
+        pavior::report(progress, "repair", static_cast<double>(report.rounds) / options_.max_rounds);
         if (cut.mesh.layers.size() == before) {
             break;
         }
-        now = cell_snapshot(cut.mesh);
+        now = cell_snapshot(cut.mesh, cut.execution);
     }
     report.layer_sheets = cut.layer_sheets;
     judge_marking(cut.mesh, now, options_, report);
 }
 
-PAVIOR_INLINE MarkedMesh mark_best(const SheetMarker& marker, Propagation propagation) {
+PAVIOR_INLINE MarkedMesh mark_best(const SheetMarker& marker, Propagation propagation, const Progress& progress) {
     const std::vector<SheetGroup> exact = marker.groups(Grouping::exact);
-    MarkedMesh best = marker.mark(Grouping::exact, exact, propagation);
+    MarkedMesh best = marker.mark(Grouping::exact, exact, propagation, stage_of(progress, 0.0, 0.5));
     best.report.tries = 1;
     const std::vector<SheetGroup> blended = marker.groups(Grouping::blended);
     if (blended.size() != exact.size()) {
-        MarkedMesh other = marker.mark(Grouping::blended, blended, propagation);
+        MarkedMesh other = marker.mark(Grouping::blended, blended, propagation, stage_of(progress, 0.5, 1.0));
         if (better_marking(other.report, best.report)) {
             best = std::move(other);
         }
@@ -116,8 +119,8 @@ PAVIOR_INLINE MarkedMesh mark_best(const SheetMarker& marker, Propagation propag
     return best;
 }
 
-inline void mark_inner_faces(ReferenceMesh& mesh) {
-    const TetTopology topology = tet_topology(mesh);
+inline void mark_inner_faces(ReferenceMesh& mesh, const Execution& execution) {
+    const TetTopology topology = tet_topology(mesh, execution);
     mesh.layers.clear();
     for (const Index f : IndexRange(topology.faces.size())) {
         if (!topology.boundary(f)) {
@@ -127,9 +130,9 @@ inline void mark_inner_faces(ReferenceMesh& mesh) {
 }
 
 /// Parts the tetrahedra with an edge that is no stack at their centroids; true if there were any.
-inline bool part_flat_tets(ReferenceMesh& mesh) {
-    const TetTopology topology = tet_topology(mesh);
-    const EntityClasses classes = classify(mesh, topology);
+inline bool part_flat_tets(ReferenceMesh& mesh, const Execution& execution) {
+    const TetTopology topology = tet_topology(mesh, execution);
+    const EntityClasses classes = classify(mesh, topology, execution);
     std::vector<TetCorners> tets;
     for (const Index t : IndexRange(mesh.tets.size())) {
         const TetCorners c = mesh.tets[t];
@@ -152,13 +155,13 @@ inline bool part_flat_tets(ReferenceMesh& mesh) {
 
 PAVIOR_INLINE MarkedMesh mark_everything(const ReferenceMesh& mesh, const MarkingOptions& options) {
     MarkedMesh out{mesh, {}};
-    mark_inner_faces(out.reference);
-    if (part_flat_tets(out.reference)) {
-        mark_inner_faces(out.reference);
+    mark_inner_faces(out.reference, options.execution);
+    if (part_flat_tets(out.reference, options.execution)) {
+        mark_inner_faces(out.reference, options.execution);
     }
     out.report.sheets = {{SheetKind::everything, {}, 0}};
     out.report.layer_sheets.assign(out.reference.layers.size(), 0);
-    judge_marking(out.reference, cell_snapshot(out.reference), options, out.report);
+    judge_marking(out.reference, cell_snapshot(out.reference, options.execution), options, out.report);
     return out;
 }
 

@@ -25,12 +25,12 @@ public:
         return sheet_groups(fronts_, boundary_, mesh_.nodes, grouping, tolerance_, options_.blend_angle);
     }
 
-    [[nodiscard]] MarkedMesh mark(Grouping grouping, const std::vector<SheetGroup>& groups,
-                                  Propagation propagation) const;
+    [[nodiscard]] MarkedMesh mark(Grouping grouping, const std::vector<SheetGroup>& groups, Propagation propagation,
+                                  const Progress& progress) const;
 
 private:
     /// Adds sheets until nothing is violated, there is nothing to add or blocks or violations get out of hand.
-    void repair(CutMesh& cut, SheetReport& report, Propagation propagation) const;
+    void repair(CutMesh& cut, SheetReport& report, Propagation propagation, const Progress& progress) const;
 
     const ReferenceMesh& mesh_;
     const MarkingOptions& options_;
@@ -42,7 +42,8 @@ private:
 };
 
 /// The better of the two groupings.
-[[nodiscard]] PAVIOR_INLINE MarkedMesh mark_best(const SheetMarker& marker, Propagation propagation);
+[[nodiscard]] PAVIOR_INLINE MarkedMesh mark_best(const SheetMarker& marker, Propagation propagation,
+                                                 const Progress& progress);
 
 /// True if stopped sheets are no worse than whole ones but for their Jacobians, which stay positive, and make fewer
 /// blocks.
@@ -70,17 +71,19 @@ private:
 /// ends at chains that exist already, unless that leaves more to repair than the whole sheet does; the result of
 /// Propagation::full is kept if that is valid and has no more blocks.
 /// The mesh must be a reference mesh of the solid: patches, curves, vertices (make_reference_mesh()). Its layers stay.
-/// O(n) a sheet; tetrahedra grow by 1.5 to 3 times. Deterministic. \throws what tet_topology() and classify() throw
+/// O(n) a sheet; tetrahedra grow by 1.5 to 3 times. Deterministic. \throws what tet_topology() and classify() throw;
+/// Stopped
 template <classified_tet_mesh M>
 [[nodiscard]] MarkedMesh mark_sheets(const M& mesh, const MarkingOptions& options = {}) {
     const ReferenceMesh reference = detail::copy_reference(mesh);
     if (reference.tets.empty()) {
         throw InputError(ErrorCode::empty_input, "a reference mesh without tetrahedra");
     }
+    report(options.progress, "sheets", 0.0);
     const detail::SheetMarker marker(reference, options);
-    MarkedMesh best = detail::mark_best(marker, Propagation::full);
+    MarkedMesh best = detail::mark_best(marker, Propagation::full, stage_of(options.progress, 0.0, 0.5));
     if (options.propagation == Propagation::stop || detail::worth_stopping(best.report)) {
-        MarkedMesh stopped = detail::mark_best(marker, Propagation::stop);
+        MarkedMesh stopped = detail::mark_best(marker, Propagation::stop, stage_of(options.progress, 0.5, 1.0));
         stopped.report.tries += best.report.tries;
         if (detail::stop_pays(stopped.report, best.report)) {
             best = std::move(stopped);
@@ -91,6 +94,7 @@ template <classified_tet_mesh M>
         best = detail::mark_everything(reference, options);
         best.report.tries = tries + 1;
     }
+    report(options.progress, "sheets", 1.0);
     return best;
 }
 

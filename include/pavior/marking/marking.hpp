@@ -2,6 +2,7 @@
 /// \file
 /// What the marking of layer faces takes and reports: options, sheets, outcome.
 
+#include <pavior/core/execution.hpp>
 #include <pavior/core/progress.hpp>
 #include <pavior/dual/dual_report.hpp>
 #include <pavior/dual/reference_mesh.hpp>
@@ -32,26 +33,34 @@ enum class Grouping : std::uint8_t {
     blended,  ///< also those on nearly one surface that face each other: the sheet bends from one to the other
 };
 
-/// How layers are marked.
+/// How layers are marked, by mark_sheets() or mark_published(). The latter uses `quality`, `execution` and `progress`
+/// only.
 struct MarkingOptions {
+    /// Which of the two block_solid() takes; they do not look at it themselves.
     Marking marking = Marking::sheets;
+    /// How far sheets run on. mark_sheets() tries `stop` by itself where `full` finds nothing valid.
     Propagation propagation = Propagation::full;
-    /// Points closer than this to a surface lie on it; relative to the diagonal of the bounding box.
+    /// Points closer than this to a surface lie on it; relative to the diagonal of the bounding box. Above 0; what the
+    /// coordinates of the boundary are exact to.
     double tolerance = 1e-6;
     /// Fronts that face each other may share a blended sheet if each sees the other within this angle, in degrees, of
-    /// its surface, and the surfaces turn by no more than twice this.
+    /// its surface, and the surfaces turn by no more than twice this. 0: only those on one surface do.
     double blend_angle = 15.0;
-    /// Rounds of repair, each of which adds sheets; 0: none.
+    /// Rounds of repair a try, each of which adds sheets; 0: none.
     int max_rounds = 24;
-    /// Repair gives up when there are more blocks than this times those of the first round (1000 at least), or when
-    /// violations have multiplied.
+    /// Repair gives up when there are more blocks than this times those of the first round (taken as 16 at least), or
+    /// when violations have multiplied by 16.
     double max_growth = 64.0;
     /// What to do when repair gives up: true marks every face of the reference mesh as a layer, which makes four
     /// blocks of each tetrahedron and is always valid (tetrahedra with two faces on one smooth patch are parted at their
     /// centroids before); false leaves the violations in the report.
     bool split_everything = false;
-    /// Smallest scaled Jacobian of the blocks of a valid marking, 1 for cubes; unset: that of a simple placement.
+    /// Smallest scaled Jacobian of the blocks of a valid marking, 1 for cubes, by which tries are compared; unset: that of
+    /// a simple placement. Called from the calling thread, once for each valid try.
     std::function<double(const ReferenceMesh&)> quality;
+    /// Threads of topology and cells, and the token that ends the call.
+    Execution execution = sequential;
+    /// Stages "sheets" and "repair" of each try, or "fronts": from 0 to 1, never backwards.
     Progress progress;
 };
 

@@ -12,8 +12,9 @@
 
 namespace pavior {
 
-/// Edges of class stack, ascending pairs, sorted: where a sheet stops in Propagation::stop. O(n log n).
-[[nodiscard]] PAVIOR_INLINE std::vector<std::array<Index, 2>> stack_edges(const ReferenceMesh& mesh);
+/// Edges of class stack, ascending pairs, sorted: where a sheet stops in Propagation::stop. O(n log n). \throws Stopped
+[[nodiscard]] PAVIOR_INLINE std::vector<std::array<Index, 2>> stack_edges(const ReferenceMesh& mesh,
+                                                                          const Execution& execution = sequential);
 
 /// Cuts as cut_sheet() does and, with Propagation::stop, ends the sheet at the stack edges that \p cut has, unless that
 /// would leave more violations than the whole sheet. \return number of new layers. O(n), and with stop as much as

@@ -3,6 +3,7 @@
 /// Moves block nodes along their chains, on their patches and in their cells.
 
 #include <pavior/block/place_blocks.hpp>
+#include <pavior/core/stop.hpp>
 #include <pavior/math/hexahedron.hpp>
 
 #include <algorithm>
@@ -257,6 +258,7 @@ private:
             if (wanted[n] == 0) {
                 continue;
             }
+            check_stop(options_.execution.stop);
             if (steps[n] == 0.0) {
                 steps[n] = first_step(i);
                 double best = shortfall(i);
