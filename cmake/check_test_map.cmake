@@ -1,8 +1,8 @@
 # cmake -D root=<repository> -P check_test_map.cmake: every public header has its test file and every test file its
 # subject. include/pavior/<room>/<stem>.hpp <-> tests/<room>/<stem>_test.cpp; a test file may also have its subject in
 # src/<room>. Tests of a whole room end in _cases.cpp and need no subject. Bodies (-inl.hpp) are tested by the test of
-# their header. A header of include/pavior/<room>/detail is named by some test: by its path or as detail::<what it
-# declares>.
+# their header. A header of include/pavior/<room>/detail is named by some test: by its path, as detail::<what it
+# declares>, or by a type of at least two words that it declares.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/architecture.cmake)
 set(gaps 0)
@@ -52,7 +52,10 @@ foreach(header IN LISTS details)
   list(REMOVE_DUPLICATES names)
   list(JOIN names "|" names)
   string(FIND "${said}" "<${header}>" at)
-  if(at EQUAL -1 AND (names STREQUAL "" OR NOT said MATCHES "detail::(${names})[^A-Za-z_0-9]"))
+  string(REGEX MATCHALL "[A-Z][a-z]+[A-Z][A-Za-z]*" types "${names}")
+  list(JOIN types "|" types)
+  if(at EQUAL -1 AND NOT (types AND said MATCHES "[^A-Za-z_0-9](${types})[^A-Za-z_0-9]")
+     AND NOT (names AND said MATCHES "detail::(${names})[^A-Za-z_0-9]"))
     math(EXPR gaps "${gaps} + 1")
     message("${header} is named by no test: none says ${header} or detail::${names}")
   endif()
