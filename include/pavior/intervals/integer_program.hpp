@@ -65,7 +65,7 @@ struct IntegerProgramOptions {
     std::optional<double> relative_gap;  ///< instead of the program's own
 };
 
-/// Solves integer programs: solver(program) is an IntegerSolution. `solve` of pavior::glpk is one.
+/// Solves integer programs: solver(program) is convertible to an IntegerSolution. `solve` of pavior::glpk is one.
 template <class S>
 concept integer_solver = requires(S& solver, const IntegerProgram& program) {
     { solver(program) } -> std::convertible_to<IntegerSolution>;

@@ -37,8 +37,11 @@ namespace detail {
 /// Whether the rules contradict each other, for certain.
 template <integer_solver Solver>
 [[nodiscard]] bool contradict(const IntervalSystem& system, const std::vector<std::size_t>& active, Solver&& solver) {
-    return !parity_possible(system, active) ||
-           solver(IntervalProgram(system, active, false).program()).status == ProgramStatus::infeasible;
+    if (!parity_possible(system, active)) {
+        return true;
+    }
+    const IntegerSolution solution = solver(IntervalProgram(system, active, false).program());
+    return solution.status == ProgramStatus::infeasible;
 }
 
 /// The best number for an edge that no rule binds.

@@ -85,7 +85,8 @@ template <extruded_geometry G>
             return side_fault(side, "narrower than the tolerance");
         }
         for (const OrientedPlaneEdge& use : plane.routes[c]) {
-            at.emplace_back(use.edge, geometry.curve_point(c, middle_point(plane.edges[use.edge]))[2]);
+            const Vec3 point = geometry.curve_point(c, middle_point(plane.edges[use.edge]));
+            at.emplace_back(use.edge, point[2]);
         }
     }
     std::sort(at.begin(), at.end());

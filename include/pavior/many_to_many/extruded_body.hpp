@@ -50,9 +50,11 @@ struct ExtrudedBody {
     std::vector<ExtrudedSide> sides;
 };
 
-/// G evaluates the curves and caps of a body, in the frame:
-/// 1. g.curve_point(curve, near) is the point of the curve whose projection is next to `near` in the plane;
-/// 2. g.cap_height(cap, at) is the height of the surface of the cap over `at`, which lies in the cap or next to it.
+/// G is an extruded_geometry if, for a const G& g, it evaluates the curves and caps of a body, in the frame:
+/// 1. g.curve_point(curve, near) is convertible to Vec3: the point of the curve whose projection is next to `near` in
+///    the plane;
+/// 2. g.cap_height(cap, at) is convertible to double: the height of the surface of the cap over `at`, which lies in the
+///    cap or next to it.
 template <class G>
 concept extruded_geometry = requires(const G& g, Index id, const Vec2& at) {
     { g.curve_point(id, at) } -> std::convertible_to<Vec3>;

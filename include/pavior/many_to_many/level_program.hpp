@@ -102,7 +102,8 @@ template <extruded_geometry G>
             }
             for (const Index c : curves[e]) {
                 if (bounds_cap[c] == 0) {
-                    columns[column].items.push_back({geometry.curve_point(c, at)[2], body.caps.size() + c});
+                    const Vec3 point = geometry.curve_point(c, at);
+                    columns[column].items.push_back({point[2], body.caps.size() + c});
                 }
             }
         };

@@ -130,7 +130,8 @@ template <extruded_geometry G, integer_solver Solver, class M>
         wanted.push_back(static_cast<char>(!stack.caps.empty()));
     }
     const auto place = [&](Index edge, const Vec2& x) {
-        return Vec2(geometry.curve_point(curves[edge].front(), x).template head<2>());
+        const Vec3 point = geometry.curve_point(curves[edge].front(), x);
+        return Vec2(point.head<2>());
     };
     for (int i = 1;; ++i) {
         const PlaneIntervals intervals =

@@ -29,8 +29,8 @@ struct PlaneQuadMesh {
     std::vector<QuadCorners> quads;
 };
 
-/// F fills regions: f(region) returns a PlaneQuadMesh without folded quads, whose boundary edges are those of the
-/// region and no others. The number of points of the region is even.
+/// F fills regions: f(region) is convertible to a PlaneQuadMesh without folded quads, whose boundary edges are those of
+/// the region and no others. The number of points of the region is even.
 template <class F>
 concept region_mesher = requires(F&& f, const PlaneRegion& region) {
     { f(region) } -> std::convertible_to<PlaneQuadMesh>;

@@ -287,7 +287,8 @@ private:
                 const auto last = static_cast<std::ptrdiff_t>(std::min(at + chunk, program.rows.size()));
                 IntegerProgram less = program;
                 less.rows.erase(less.rows.begin() + first, less.rows.begin() + last);
-                if (solver(less).status == ProgramStatus::infeasible) {
+                const IntegerSolution without = solver(less);
+                if (without.status == ProgramStatus::infeasible) {
                     program = std::move(less);
                     faces.erase(faces.begin() + first, faces.begin() + last);
                 } else {

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace pavior {
@@ -42,7 +43,7 @@ template <class P>
 /// du x dv of length 1; null where the parametrisation is singular.
 template <parametric_surface S>
 [[nodiscard]] Vec3 unit_surface_normal(const S& surface, const Vec2& uv) {
-    const auto d = surface.derivatives(uv);
+    const std::pair<Vec3, Vec3> d = surface.derivatives(uv);
     const Vec3 du = d.first;
     const Vec3 dv = d.second;
     const Vec3 normal = du.cross(dv);

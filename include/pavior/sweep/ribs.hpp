@@ -18,8 +18,7 @@
 
 namespace pavior {
 
-/// C is a rib_curve if, for a const C& c, c(t) is convertible to Vec3 for every t in [0, 1]: a continuous curve from
-/// the
+/// C is a rib_curve if, for a const C& c, c(t) is convertible to Vec3 for every t in [0, 1]: a continuous curve from the
 /// source cap (t = 0) to the target cap (t = 1), any regular parametrisation (not checkable).
 /// Models: Polyline, a lambda, std::function<Vec3(double)>.
 template <class C>
