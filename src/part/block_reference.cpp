@@ -9,6 +9,7 @@
 #include <pavior/dual/features.hpp>
 #include <pavior/io/surface_file.hpp>
 #include <pavior/io/tet_mesh_file.hpp>
+#include <pavior/mesh/verify_tets.hpp>
 #include <pavior/tetra/tetrahedralize.hpp>
 
 #include <algorithm>
@@ -117,6 +118,9 @@ BlockReference read_block_reference(const std::filesystem::path& file, double si
     TaggedTetMesh tets;
     if (can_read_tet_mesh(name)) {
         tets = read_tet_mesh(name);
+        if (const TetReport check = verify_tets(tets.mesh); !check.ok()) {  // folded over: faces with both on one side
+            throw FileError(name, check.text());
+        }
         result.surface = boundary_of(tets);
         result.read_seconds = watch.lap();
     } else {

@@ -258,6 +258,11 @@ TEST_CASE("bad block options and files exit with 2 and say why") {
     const std::string open = write("open.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n");
     write("garbage.stl", "this is no STL file");
     write("empty.off", "");
+    const std::string folded =  // two tetrahedra on the same side of their common face
+        write("folded.vtk",
+              "# vtk DataFile Version 3.0\nfolded\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 double\n"
+              "0 0 0\n1 0 0\n0 1 0\n0 0 1\n0.2 0.2 2\nCELLS 2 10\n4 0 1 2 3\n4 0 1 2 4\n"
+              "CELL_TYPES 2\n10\n10\n");
     for (const std::string& arguments : {std::string("block"),
                                          "block " + box,
                                          "block " + box + " -o " + mesh + " --size 0",
@@ -278,6 +283,7 @@ TEST_CASE("bad block options and files exit with 2 and say why") {
                                          "block " + scratch_file("missing.off") + " -o " + mesh,
                                          "block " + scratch_file("garbage.stl") + " -o " + mesh,
                                          "block " + scratch_file("empty.off") + " -o " + mesh,
+                                         "block " + folded + " -o " + mesh,
                                          "block " + scratch_file("stdout.txt") + " -o " + mesh}) {
         CAPTURE(arguments);
         const ProgramRun outcome = run_program(arguments);
@@ -287,5 +293,6 @@ TEST_CASE("bad block options and files exit with 2 and say why") {
     }
     const ProgramRun outcome = run_program("block " + open + " -o " + mesh);
     CHECK(outcome.err.find("open_surface") != std::string::npos);
+    CHECK(run_program("block " + folded + " -o " + mesh).err.find("same sense") != std::string::npos);
     CHECK(run_program("block --help").code == 0);
 }

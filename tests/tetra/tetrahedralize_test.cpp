@@ -2,6 +2,7 @@
 #include "tet_checks.hpp"
 
 #include <pavior/core/error.hpp>
+#include <pavior/mesh/verify_tets.hpp>
 #include <pavior/tetra/tetrahedralize.hpp>
 
 #include <chrono>
@@ -17,6 +18,7 @@ namespace {
 
 void check_sound(const TaggedTetMesh& mesh, const TaggedSurface& surface) {
     CHECK(tets::fault(mesh) == "");
+    CHECK(verify_tets(mesh.mesh).ok());
     CHECK(tets::flattest(mesh.mesh) > 1e-6);
     const double volume = tets::volume(surface.mesh);
     CHECK(std::abs(tets::volume(mesh.mesh) - volume) <= 1e-10 * std::abs(volume));
