@@ -97,7 +97,7 @@ class CapMaker {
 public:
     CapMaker(const GmshBrep& model, FaceId face, const CapBoundary& boundary, const CapOptions& options)
         : model_(model), face_(face), boundary_(boundary), options_(options) {
-        to_plane_ = flattening(model, face, boundary);
+        to_plane_ = boundary.plane ? Matrix2(Matrix2::Identity()) : flattening(model, face, boundary);
         origin_ = boundary.uv.front();
         loops_.offsets = boundary.offsets;
         for (const Vec2& uv : boundary.uv) {
@@ -149,6 +149,11 @@ public:
                 face_label(model_, face_) + (best_.quads.empty() ? ": no way to quads alone" : ": folded quads remain"),
                 {model_.tag(2, face_.index())});
         }
+        if (boundary_.plane) {
+            for (std::size_t i = 0; i < best_.nodes.size(); ++i) {
+                best_.uv[i] = model_.closest_on_face(face_, best_.nodes[i]);
+            }
+        }
         return std::move(best_);
     }
 
@@ -164,7 +169,7 @@ private:
         }
         CapMesh mesh;
         mesh.quads = plane->quads;
-        const bool flat = model_.face_kind(face_) == "Plane";
+        const bool flat = boundary_.plane || model_.face_kind(face_) == "Plane";
         const double quality = flat ? flat_quality(*plane, mesh) : curved_quality(*plane, mesh);
         if (best_.quads.empty() || quality > best_quality_) {
             best_ = std::move(mesh);
@@ -216,6 +221,12 @@ private:
         const std::size_t m = boundary_.points.size();
         mesh.nodes.resize(mesh.uv.size());
         std::copy(boundary_.points.begin(), boundary_.points.end(), mesh.nodes.begin());
+        if (const auto& plane = boundary_.plane) {
+            for (std::size_t i = m; i < mesh.nodes.size(); ++i) {
+                mesh.nodes[i] = lift_to_face(model_, face_, plane->point(mesh.uv[i]), plane->normal());
+            }
+            return;
+        }
         model_.face_points(face_, std::span(mesh.uv).subspan(m), std::span(mesh.nodes).subspan(m));
     }
 

@@ -20,7 +20,8 @@ struct CapOptions {
 /// The face is flattened by the mean metric of its parameters. A face with four corners and matching sides becomes a
 /// grid (transfinite interpolation); any other is triangulated by Gmsh and recombined, in several ways until the worst
 /// corner is good; where no way leads to quads alone, every second boundary node is meshed with triangles and each is
-/// cut into three quads. Nodes are then optimised on the surface, the boundary held.
+/// cut into three quads. Nodes are then optimised on the surface, the boundary held. A face with a seam
+/// (CapBoundary::plane) is meshed in the plane of its loops, and nodes are moved to the face along its normal.
 /// Deterministic: same input, same bytes. Not thread-safe (Gmsh). O(quads) memory; about 0.2 ms a quad where
 /// Gmsh recombines, 0.01 ms in a grid.
 /// \throws InputError size_mismatch (arrays of different length, an odd number of boundary nodes), empty_input (a loop

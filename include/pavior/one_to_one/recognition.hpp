@@ -2,12 +2,15 @@
 /// \file
 /// Recognition of one-to-one sweepable solids \cite roca2009 (section 2.1, conditions (i) to (iv)).
 
+#include <pavior/brep/seamless.hpp>
 #include <pavior/core/compiled.hpp>
+#include <pavior/one_to_one/cap_plane.hpp>
 #include <pavior/one_to_one/side_stacking.hpp>
 #include <pavior/one_to_one/sweep_conditions.hpp>
 #include <pavior/one_to_one/sweep_shape.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -63,6 +66,18 @@ template <brep B>
     return result;
 }
 
+/// judge_pair() where one or both are caps with a seam: of the boundary without the seams of these.
+template <brep B>
+[[nodiscard]] PairOutcome judge_seamed_pair(const B& b, const SolidBoundary& solid, std::size_t source,
+                                            std::size_t target, const RecognitionOptions& options,
+                                            std::size_t& tests_left) {
+    const SolidBoundary seamless = without_seams(solid, std::array{source, target});
+    if (!caps_fit(seamless, source, target)) {
+        return {};
+    }
+    return judge_pair(b, seamless, RolePatterns(seamless, options.stacking), source, target, options, tests_left);
+}
+
 /// The position of face \p f in the solid. \throws InputError bad_option
 template <brep B>
 [[nodiscard]] std::size_t face_position(const B& b, const SolidBoundary& solid, FaceId f) {
@@ -76,6 +91,37 @@ template <brep B>
                      {f.value});
 }
 
+/// Whether the face at a position is a cap if its seam is left out.
+template <brep B>
+[[nodiscard]] bool seamed_cap(const B& b, const SolidBoundary& solid, std::size_t face) {
+    return solid.faces[face].seam && cap_plane(b, solid.faces[face].face.face);
+}
+
+/// The sweeps with a cap that has a seam.
+template <brep B>
+[[nodiscard]] std::vector<SweepTopology> seamed_sweeps(const B& b, const SolidBoundary& solid,
+                                                       const RecognitionOptions& options, std::size_t& tests_left) {
+    std::vector<SweepTopology> result;
+    std::vector<char> seamed;
+    for (std::size_t i = 0; i < solid.faces.size(); ++i) {
+        seamed.push_back(static_cast<char>(seamed_cap(b, solid, i)));
+    }
+    const auto usable = [&](std::size_t i) { return seamed[i] != 0 || !solid.faces[i].seam; };
+    for (std::size_t i = 0; i < solid.faces.size(); ++i) {
+        for (std::size_t j = i + 1; j < solid.faces.size(); ++j) {
+            if ((seamed[i] == 0 && seamed[j] == 0) || !usable(i) || !usable(j)) {
+                continue;
+            }
+            const bool ordered = solid.faces[i].face.face < solid.faces[j].face.face;
+            PairOutcome outcome = judge_seamed_pair(b, solid, ordered ? i : j, ordered ? j : i, options, tests_left);
+            if (outcome.sweep) {
+                result.push_back(std::move(*outcome.sweep));
+            }
+        }
+    }
+    return result;
+}
+
 /// Adds the pairs that break the fewest conditions, explained, until there are \p count.
 PAVIOR_INLINE void add_closest_refusals(const SolidBoundary& solid, std::size_t count,
                                         std::vector<SweepRefusal>& refusals);
@@ -84,7 +130,8 @@ PAVIOR_INLINE void add_closest_refusals(const SolidBoundary& solid, std::size_t 
 
 /// Finds every pair of faces of \p solid between which it is a one-to-one sweep, and ranks the pairs.
 ///
-/// Conditions: the caps have equally many loops, no seam, and touch nowhere; every other face is a linking side (one
+/// Conditions: the caps have equally many loops and touch nowhere, and one with a seam (a dome round its pole) leans by
+/// less than 80 degrees (cap_plane()) and counts only if there are no caps without; every other face is a linking side (one
 /// loop, four logical sides or a union of such rectangles); the linking sides form, round each loop of the source, a
 /// ring that ends at exactly one loop of the target. Side faces that reach from cap to cap are judged by topology
 /// alone, side faces above each other also by their corner angles (StackingOptions). Corners of linking sides and
@@ -115,6 +162,9 @@ template <brep B>
             }
         }
     }
+    if (result.candidates.empty()) {
+        result.candidates = detail::seamed_sweeps(b, boundary, options, tests_left);
+    }
     std::stable_sort(result.candidates.begin(), result.candidates.end(), better_sweep);
     if (result.candidates.empty()) {
         result.refusals = std::move(misshapen);
@@ -138,6 +188,11 @@ template <brep B>
     const detail::RolePatterns patterns(boundary, options.stacking);
     std::size_t tests_left = options.stacking.max_tests;
     detail::PairOutcome outcome = detail::judge_pair(b, boundary, patterns, s, t, options, tests_left);
+    if (!outcome.sweep && outcome.obstacles.empty() && (boundary.faces[s].seam || boundary.faces[t].seam) &&
+        (!boundary.faces[s].seam || detail::seamed_cap(b, boundary, s)) &&
+        (!boundary.faces[t].seam || detail::seamed_cap(b, boundary, t))) {
+        outcome = detail::judge_seamed_pair(b, boundary, s, t, options, tests_left);
+    }
     if (!outcome.sweep) {
         throw detail::not_sweepable_error(
             boundary, {outcome.obstacles.empty() ? explain_refusal(boundary, s, t)

@@ -3,6 +3,7 @@
 /// How well shaped a sweep promises to be, and the rule by which one of several sweeps of a solid is chosen.
 
 #include <pavior/brep/face_corners.hpp>
+#include <pavior/brep/seamless.hpp>
 #include <pavior/core/compiled.hpp>
 #include <pavior/one_to_one/side_roles.hpp>
 #include <pavior/one_to_one/sweep_conditions.hpp>
@@ -83,7 +84,7 @@ template <brep B>
 [[nodiscard]] double cap_warp(const B& b, OrientedFace cap) {
     double worst = 0.0;
     Vec3 first = Vec3::Zero();
-    for (const EdgeLoop& loop : b.face_loops(cap.face)) {
+    for (const EdgeLoop& loop : seamless_loops(b.face_loops(cap.face))) {
         for (const OrientedEdge& use : loop) {
             for (const double at : {0.0, 0.5}) {
                 const OrientedEdge seen{use.edge, cap.outward ? use.forward : !use.forward};

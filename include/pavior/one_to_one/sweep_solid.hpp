@@ -10,6 +10,7 @@
 #include <pavior/one_to_one/cap_boundary.hpp>
 #include <pavior/one_to_one/side_grid.hpp>
 #include <pavior/one_to_one/sweep_topology.hpp>
+#include <pavior/sweep/space_target.hpp>
 #include <pavior/sweep/sweep.hpp>
 #include <pavior/sweep/target_projection.hpp>
 #include <pavior/sweep/untangle_sweep.hpp>
@@ -32,7 +33,7 @@ struct SolidSweepOptions {
 
 /// What the projection of a source cap onto its target came to (target_projection.hpp).
 struct TargetReport {
-    double residual = 0;            ///< of the affine map at the loops, unit of the target's parameters
+    double residual = 0;            ///< of the affine map at the loops, unit of the target's parameters or of space
     std::size_t folded_by_map = 0;  ///< quads that the affine map alone folds
     std::vector<Index> folded;      ///< quads still folded
     SmoothReport smooth;
@@ -56,6 +57,25 @@ namespace detail {
 /// The loops of a sweep as positions in the source cap.
 [[nodiscard]] PAVIOR_INLINE Loops local_loops(const LevelIds& levels, const PositionOf& position);
 
+/// Projects the source cap onto a target face with a seam: in space, along the normal of its plane.
+template <brep B>
+[[nodiscard]] TargetMesh project_along(const B& b, FaceId face, const CapPlane& plane, const SourceCap& source,
+                                       std::span<const Vec3> loop_nodes, const TargetOptions& options) {
+    const auto place = [&](const Vec3& x) { return lift_to_face(b, face, x, plane.normal()); };
+    SpaceTargetMesh projected = project_target_in_space(place, source, loop_nodes, options);
+    TargetMesh result;
+    for (const Vec3& x : projected.nodes) {
+        result.uv.push_back(b.closest_on_face(face, x));
+    }
+    result.nodes = std::move(projected.nodes);
+    result.residual = projected.residual;
+    result.corrected = projected.corrected;
+    result.folded_by_map = std::move(projected.folded_by_map);
+    result.smooth = std::move(projected.smooth);
+    result.folded = std::move(projected.folded);
+    return result;
+}
+
 /// Projects the source cap onto the target face and stores its mesh there.
 template <brep B>
 TargetMesh mesh_target(const B& b, BoundaryMesh& mesh, const SweepTopology& sweep, const SweepProblem& problem,
@@ -68,9 +88,14 @@ TargetMesh mesh_target(const B& b, BoundaryMesh& mesh, const SweepTopology& swee
         PAVIOR_ASSERT(on_boundary(id) != no_index);
         loop_uv.push_back(boundary.uv[on_boundary(id)]);
     }
-    const SourceCap source{problem.source_nodes, mesh.faces[sweep.source.index()].uv, problem.quads, problem.loops};
+    const std::vector<Vec2> source_uv = has_seam(b, sweep.source)
+                                            ? plane_coordinates(problem.source_nodes, problem.quads)
+                                            : mesh.faces[sweep.source.index()].uv;
+    const SourceCap source{problem.source_nodes, source_uv, problem.quads, problem.loops};
     TargetMesh projected =
-        project_target(FaceSurface<B>{&b, sweep.target}, source, loop_uv, positions(mesh, loop), options);
+        boundary.plane
+            ? project_along(b, sweep.target, *boundary.plane, source, positions(mesh, loop), options)
+            : project_target(FaceSurface<B>{&b, sweep.target}, source, loop_uv, positions(mesh, loop), options);
 
     FaceMesh& target = mesh.faces[sweep.target.index()];
     target.nodes.assign(problem.source_nodes.size(), no_index);
