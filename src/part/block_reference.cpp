@@ -9,10 +9,12 @@
 #include <pavior/dual/features.hpp>
 #include <pavior/io/surface_file.hpp>
 #include <pavior/io/tet_mesh_file.hpp>
+#include <pavior/math/box.hpp>
 #include <pavior/mesh/verify_tets.hpp>
 #include <pavior/tetra/tetrahedralize.hpp>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,22 +22,12 @@ namespace pavior {
 
 namespace {
 
-double diagonal(const std::vector<Vec3>& nodes) {
-    Vec3 low = nodes.front();
-    Vec3 high = nodes.front();
-    for (const Vec3& x : nodes) {
-        low = low.cwiseMin(x);
-        high = high.cwiseMax(x);
-    }
-    return (high - low).norm();
-}
-
 /// Fine hexahedra lie on the triangles: where they are small, these follow the curved faces more closely.
 template <class Cad>
 CadTriangulation triangulate_for(const Cad& cad, double wanted) {
     CadTriangulation coarse = triangulate_solids(cad);
     if (wanted > 0.0) {
-        const double size = diagonal(coarse.surface.mesh.nodes);
+        const double size = box_round(std::span<const Vec3>(coarse.surface.mesh.nodes)).extent().norm();
         TriangulationOptions options;
         options.chord = std::max(0.05 * wanted, size / 2000.0);
         if (options.chord < size / 200.0) {

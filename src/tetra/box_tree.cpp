@@ -4,7 +4,7 @@
 
 namespace pavior::detail {
 
-BoxTree::BoxTree(std::span<const Bounds> boxes) : boxes_(boxes.begin(), boxes.end()), order_(boxes.size()) {
+BoxTree::BoxTree(std::span<const Box<Vec3>> boxes) : boxes_(boxes.begin(), boxes.end()), order_(boxes.size()) {
     for (std::size_t i = 0; i < order_.size(); ++i) {
         order_[i] = i;
     }
@@ -16,13 +16,11 @@ BoxTree::BoxTree(std::span<const Bounds> boxes) : boxes_(boxes.begin(), boxes.en
 void BoxTree::build(std::size_t first, std::size_t last) {
     const std::size_t self = nodes_.size();
     nodes_.push_back({{}, first, last, 0});
-    Bounds centres;
+    Box<Vec3> centres;
     for (std::size_t i = first; i < last; ++i) {
-        const Bounds& box = boxes_[order_[i]];
-        nodes_[self].box.low = nodes_[self].box.low.cwiseMin(box.low);
-        nodes_[self].box.high = nodes_[self].box.high.cwiseMax(box.high);
-        centres.low = centres.low.cwiseMin(box.centre());
-        centres.high = centres.high.cwiseMax(box.centre());
+        const Box<Vec3>& box = boxes_[order_[i]];
+        nodes_[self].box.add(box);
+        centres.add(box.centre());
     }
     if (last - first <= leaf_size) {
         return;
@@ -42,7 +40,7 @@ void BoxTree::build(std::size_t first, std::size_t last) {
 }
 
 /// Separating axes: the three coordinate axes and their products with the segment; rounding counts as meeting.
-bool BoxTree::may_meet(const Bounds& box, const Vec3& p, const Vec3& q) {
+bool BoxTree::may_meet(const Box<Vec3>& box, const Vec3& p, const Vec3& q) {
     const Vec3 half = (box.high - box.low) / 2.0;
     const Vec3 middle = (p + q) / 2.0 - (box.low + box.high) / 2.0;
     const Vec3 d = (q - p) / 2.0;

@@ -1,6 +1,7 @@
 #pragma once
 // Boxes round triangles in a tree. Internal to the tetra component.
 
+#include <pavior/math/box.hpp>
 #include <pavior/mesh/near_nodes.hpp>
 #include <pavior/mesh/span_mesh.hpp>
 
@@ -15,14 +16,14 @@ namespace pavior::detail {
 class BoxTree {
 public:
     /// O(n log n).
-    explicit BoxTree(std::span<const Bounds> boxes);
+    explicit BoxTree(std::span<const Box<Vec3>> boxes);
 
     /// Calls visit(i, j), i < j, for all pairs of boxes that meet (touching included), until it returns false.
     template <class Visit>
     void for_each_pair(Visit&& visit) const {
         for (std::size_t i = 0; i < boxes_.size(); ++i) {
             bool go_on = true;
-            query([&](const Bounds& box) { return meet(box, boxes_[i]); },
+            query([&](const Box<Vec3>& box) { return meet(box, boxes_[i]); },
                   [&](std::size_t j) { go_on = go_on && (j <= i || visit(i, j)); });
             if (!go_on) {
                 return;
@@ -33,12 +34,12 @@ public:
     /// Calls visit(i) for all boxes that the segment from \p p to \p q may meet.
     template <class Visit>
     void for_each_on_segment(const Vec3& p, const Vec3& q, Visit&& visit) const {
-        query([&](const Bounds& box) { return may_meet(box, p, q); }, visit);
+        query([&](const Box<Vec3>& box) { return may_meet(box, p, q); }, visit);
     }
 
 private:
     struct Node {
-        Bounds box;
+        Box<Vec3> box;
         std::size_t first = 0;  ///< into order_
         std::size_t last = 0;
         std::size_t right = 0;  ///< the left child follows its parent; 0: leaf
@@ -68,13 +69,13 @@ private:
         }
     }
 
-    static bool meet(const Bounds& a, const Bounds& b) {
+    static bool meet(const Box<Vec3>& a, const Box<Vec3>& b) {
         return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
     }
-    static bool may_meet(const Bounds& box, const Vec3& p, const Vec3& q);
+    static bool may_meet(const Box<Vec3>& box, const Vec3& p, const Vec3& q);
     void build(std::size_t first, std::size_t last);
 
-    std::vector<Bounds> boxes_;
+    std::vector<Box<Vec3>> boxes_;
     std::vector<std::size_t> order_;
     std::vector<Node> nodes_;
 };

@@ -21,7 +21,7 @@ Vec3 Frame::outside(const Vec3& y) const {
 }
 
 Frame frame_of(std::span<const Vec3> nodes) {
-    const Bounds box = bounds(nodes);
+    const Box<Vec3> box = bounds(nodes);
     Frame frame;
     if (nodes.empty() || !(box.low.x() <= box.high.x())) {
         return frame;

@@ -17,12 +17,11 @@ namespace pavior::detail {
 
 namespace {
 
-std::vector<Bounds> boxes_of(std::span<const Vec3> nodes, std::span<const TriCorners> triangles) {
-    std::vector<Bounds> boxes(triangles.size());
+std::vector<Box<Vec3>> boxes_of(std::span<const Vec3> nodes, std::span<const TriCorners> triangles) {
+    std::vector<Box<Vec3>> boxes(triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         for (const Index node : triangles[t]) {
-            boxes[t].low = boxes[t].low.cwiseMin(nodes[node]);
-            boxes[t].high = boxes[t].high.cwiseMax(nodes[node]);
+            boxes[t].add(nodes[node]);
         }
     }
     return boxes;

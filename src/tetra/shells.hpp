@@ -77,7 +77,7 @@ private:
     std::span<const Vec3> nodes_;
     std::span<const TriCorners> triangles_;
     BoxTree boxes_;
-    Bounds all_;
+    Box<Vec3> all_;
 };
 
 /// The shells of a closed surface: triangles connected through edges.

@@ -10,7 +10,7 @@ using namespace pavior;
 using Pairs = std::vector<std::array<Index, 2>>;
 
 TEST_CASE("bounds") {
-    const Bounds box = bounds(shapes::hex_box(2, 2, 2, Vec3(1, 2, 2)));
+    const Box<Vec3> box = bounds(shapes::hex_box(2, 2, 2, Vec3(1, 2, 2)));
     CHECK(box.low == Vec3(0, 0, 0));
     CHECK(box.high == Vec3(1, 2, 2));
     CHECK(box.diagonal() == 3.0);

@@ -4,6 +4,7 @@
 
 #include <pavior/core/compiled.hpp>
 #include <pavior/dual/detail/check_tet.hpp>
+#include <pavior/math/box.hpp>
 #include <pavior/mesh/mesh_access.hpp>
 
 #include <algorithm>
@@ -36,20 +37,19 @@ PAVIOR_INLINE void radix_pass(std::vector<std::pair<std::uint64_t, Index>>& keys
 template <vertex_mesh M>
 [[nodiscard]] std::vector<Index> curve_ranks(const M& mesh) {
     const std::size_t nodes = node_count(mesh);
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-    Vec3 high = -low;
+    Box<Vec3> box;
     for (const Index i : IndexRange(nodes)) {
-        const Vec3 x = node(mesh, i);
-        low = x.allFinite() ? Vec3(low.cwiseMin(x)) : low;
-        high = x.allFinite() ? Vec3(high.cwiseMax(x)) : high;
+        if (const Vec3 x = node(mesh, i); x.allFinite()) {
+            box.add(x);
+        }
     }
-    const double size = std::max((0.5 * high - 0.5 * low).maxCoeff(), std::numeric_limits<double>::min());
+    const double size = std::max((0.5 * box.high - 0.5 * box.low).maxCoeff(), std::numeric_limits<double>::min());
     std::vector<std::pair<std::uint64_t, Index>> keys(nodes);
     for (const Index i : IndexRange(nodes)) {
         const Vec3 x = node(mesh, i);
         std::uint64_t key = 0;
         for (int axis = 0; axis < 3 && x.allFinite(); ++axis) {
-            const double at = (0.5 * x[axis] - 0.5 * low[axis]) / size * 2047.0;
+            const double at = (0.5 * x[axis] - 0.5 * box.low[axis]) / size * 2047.0;
             key |= spread_bits(static_cast<std::uint64_t>(std::clamp(at, 0.0, 2047.0))) << axis;
         }
         keys[i] = {key, i};

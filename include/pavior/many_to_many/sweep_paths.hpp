@@ -7,6 +7,7 @@
 #include <pavior/many_to_many/extrusion.hpp>
 #include <pavior/many_to_many/spine.hpp>
 #include <pavior/many_to_many/unrolled_brep.hpp>
+#include <pavior/math/box.hpp>
 
 #include <algorithm>
 #include <array>
@@ -215,19 +216,16 @@ template <brep B>
                                                double max_angle = 45) {
     constexpr double least_stretch = 0.05;
     const Spine rib = detail::spine_of(b, chain, size * detail::degrees_per_radian / max_angle);
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-    Vec3 high = -low;
+    Box<Vec3> box;
     double least = 1.0;
     detail::for_each_boundary_point(b, solids, [&](const Vec3& p) {
-        const Vec3 q = rib.unrolled(p);
-        low = low.cwiseMin(q);
-        high = high.cwiseMax(q);
+        box.add(rib.unrolled(p));
         least = std::min(least, rib.stretch(p));
     });
     if (!(least > least_stretch)) {
         return std::nullopt;
     }
-    const Vec3 middle = 0.5 * (low + high);
+    const Vec3 middle = 0.5 * (box.low + box.high);
     return rib.parallel(middle[0], middle[1]);
 }
 

@@ -8,6 +8,7 @@
 #include <pavior/marking/repair_axis.hpp>
 #include <pavior/marking/repair_corner.hpp>
 #include <pavior/marking/stop_sheet.hpp>
+#include <pavior/math/box.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,16 +21,6 @@
 namespace pavior {
 
 namespace detail {
-
-[[nodiscard]] inline double diagonal(std::span<const Vec3> nodes) {
-    Vec3 low = nodes[0];
-    Vec3 high = nodes[0];
-    for (const Vec3& x : nodes) {
-        low = low.cwiseMin(x);
-        high = high.cwiseMax(x);
-    }
-    return (high - low).norm();
-}
 
 /// The curves at which the fronts of a group lie.
 [[nodiscard]] inline std::vector<std::int32_t> curves_of(const SheetGroup& group, std::span<const Front> fronts) {
@@ -47,7 +38,7 @@ namespace detail {
 PAVIOR_INLINE SheetMarker::SheetMarker(const ReferenceMesh& mesh, const MarkingOptions& options)
     : mesh_(mesh),
       options_(options),
-      size_(diagonal(mesh.nodes)),
+      size_(box_round(std::span<const Vec3>(mesh.nodes)).extent().norm()),
       tolerance_(options.tolerance * size_),
       topology_(tet_topology(mesh, options.execution)),
       boundary_(front_boundary(mesh, topology_)),

@@ -3,37 +3,25 @@
 /// Nodes that lie in the place of another one.
 
 #include <pavior/core/compiled.hpp>
+#include <pavior/math/box.hpp>
 #include <pavior/mesh/mesh_access.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace pavior {
 
-/// Smallest box around the finite nodes of a mesh; low > high if there is none.
-struct Bounds {
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-    Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
-
-    [[nodiscard]] double diagonal() const { return low.x() <= high.x() ? (high - low).stableNorm() : 0.0; }
-    [[nodiscard]] Vec3 centre() const {
-        return low.x() <= high.x() ? Vec3(low + (high - low) / 2.0) : Vec3(Vec3::Zero());
-    }
-};
-
-/// O(n).
+/// The box round the finite nodes of a mesh; empty if there is none. O(n).
 template <vertex_mesh M>
-[[nodiscard]] Bounds bounds(const M& mesh) {
-    Bounds box;
+[[nodiscard]] Box<Vec3> bounds(const M& mesh) {
+    Box<Vec3> box;
     for (const Index i : IndexRange(node_count(mesh))) {
         const Vec3 x = node(mesh, i);
         if (x.allFinite()) {
-            box.low = box.low.cwiseMin(x);
-            box.high = box.high.cwiseMax(x);
+            box.add(x);
         }
     }
     return box;
@@ -70,7 +58,7 @@ private:
 /// Nodes that are not finite are left out. O(n log n) by sorting cells of a grid, about 35 bytes a node.
 template <vertex_mesh M>
 [[nodiscard]] std::vector<std::array<Index, 2>> near_nodes(const M& mesh, double distance) {
-    const Bounds box = bounds(mesh);
+    const Box<Vec3> box = bounds(mesh);
     const double reach = std::max(distance, 1e-15 * box.diagonal());
     const detail::NodeGrid grid(box.low, reach > 0.0 ? reach : 1.0);
     std::vector<detail::GridEntry> entries;

@@ -103,7 +103,7 @@ template <hex_mesh M>
 template <hex_mesh M>
 void check_volume(const M& mesh, std::span<const char> bad, const FaceScan& faces, const VerifyHexesOptions& options,
                   HexReport& report) {
-    const Bounds box = bounds(mesh);
+    const Box<Vec3> box = bounds(mesh);
     const Frame frame{box.centre(), box.diagonal() > 0.0 ? box.diagonal() : 1.0};
     const VolumeScan scan = scan_volumes(mesh, bad, frame, options);
     double flux = 0.0;

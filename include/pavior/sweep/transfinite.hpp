@@ -4,6 +4,7 @@
 
 #include <pavior/core/compiled.hpp>
 #include <pavior/core/error.hpp>
+#include <pavior/math/box.hpp>
 #include <pavior/mesh/cells.hpp>
 
 #include <algorithm>
@@ -69,15 +70,13 @@ namespace detail {
 
 template <class P>
 [[nodiscard]] double sides_extent(const GridSides<P>& sides) {
-    P low = sides.bottom.front();
-    P high = low;
+    Box<P> box;
     for (const std::span<const P> side : {sides.bottom, sides.top, sides.left, sides.right}) {
         for (const P& p : side) {
-            low = low.cwiseMin(p);
-            high = high.cwiseMax(p);
+            box.add(p);
         }
     }
-    return (high - low).stableNorm();
+    return box.diagonal();
 }
 
 template <class P>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pavior/math/box.hpp>
 #include <pavior/sweep/unwrap.hpp>
 
 #include <cmath>
@@ -96,13 +97,8 @@ PAVIOR_INLINE Vec2 inside_shift(const Vec2& p, std::span<const Vec2> polygon, co
     if (polygon.empty()) {
         return Vec2::Zero();
     }
-    Vec2 low = polygon.front();
-    Vec2 high = low;
-    for (const Vec2& q : polygon) {
-        low = low.cwiseMin(q);
-        high = high.cwiseMax(q);
-    }
-    const Vec2 next = nearest_image_shift(p, 0.5 * (low + high), periods);
+    const Box<Vec2> box = box_round(polygon);
+    const Vec2 next = nearest_image_shift(p, 0.5 * (box.low + box.high), periods);
     for (const double du : {0.0, -1.0, 1.0}) {
         for (const double dv : {0.0, -1.0, 1.0}) {
             const Vec2 shift = next + Vec2(du * periods[0], dv * periods[1]);

@@ -2,6 +2,7 @@
 /// \file
 /// Which triangle of a plane triangulation holds a point.
 
+#include <pavior/math/box.hpp>
 #include <pavior/math/point.hpp>
 #include <pavior/mesh/cells.hpp>
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -68,14 +70,10 @@ private:
     }
 
     void build() {
-        Vec2 high = uv_[0];
-        low_ = uv_[0];
-        for (const Vec2& p : uv_) {
-            low_ = low_.cwiseMin(p);
-            high = high.cwiseMax(p);
-        }
+        const Box<Vec2> box = box_round(std::span<const Vec2>(uv_));
+        low_ = box.low;
         cells_ = static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles_.size()))) + 1;
-        step_ = ((high - low_) / static_cast<double>(cells_)).cwiseMax(std::numeric_limits<double>::min());
+        step_ = ((box.high - low_) / static_cast<double>(cells_)).cwiseMax(std::numeric_limits<double>::min());
         begin_.assign(cells_ * cells_ + 1, 0);
         for (const TriCorners& c : triangles_) {
             each_cell(c, [&](std::size_t cell) { ++begin_[cell + 1]; });

@@ -3,6 +3,7 @@
 /// The triangle of a set in space that is nearest to a point.
 
 #include <pavior/core/index.hpp>
+#include <pavior/math/box.hpp>
 #include <pavior/math/point.hpp>
 
 #include <algorithm>
@@ -68,13 +69,6 @@ public:
 
 private:
     static constexpr std::size_t leaf_size = 4;
-    struct Box {
-        Vec3 low{0, 0, 0};
-        Vec3 high{0, 0, 0};
-        [[nodiscard]] double square(const Vec3& x) const {
-            return (low - x).cwiseMax(x - high).cwiseMax(0.0).squaredNorm();
-        }
-    };
 
     [[nodiscard]] static std::size_t leaves(std::size_t n) {
         std::size_t count = 1;
@@ -85,12 +79,10 @@ private:
     }
 
     void build(std::size_t node, std::size_t begin, std::size_t end) {
-        Box& box = boxes_[node];
-        box = {triangles_[begin][0], triangles_[begin][0]};
+        Box<Vec3>& box = boxes_[node];
         for (std::size_t t = begin; t < end; ++t) {
             for (const Vec3& p : triangles_[t]) {
-                box.low = box.low.cwiseMin(p);
-                box.high = box.high.cwiseMax(p);
+                box.add(p);
             }
         }
         if (end - begin <= leaf_size) {
@@ -115,8 +107,8 @@ private:
             return;
         }
         const std::size_t middle = (begin + end) / 2;
-        const double left = boxes_[2 * node].square(x);
-        const double right = boxes_[2 * node + 1].square(x);
+        const double left = boxes_[2 * node].square_distance(x);
+        const double right = boxes_[2 * node + 1].square_distance(x);
         for (const bool first : {left <= right, left > right}) {
             if ((first ? left : right) <= hit.square * (1 + 1e-9)) {
                 descend(2 * node + (first ? 0 : 1), first ? begin : middle, first ? middle : end, x, hit);
@@ -137,7 +129,7 @@ private:
     }
 
     std::vector<Triangle> triangles_;
-    std::vector<Box> boxes_;
+    std::vector<Box<Vec3>> boxes_;
 };
 
 }  // namespace pavior::detail
