@@ -1,6 +1,7 @@
 // One-to-one sweeps between caps that contain the pole or the seam of their surface.
 #include "support/catch.hpp"
 #include "support/domes.hpp"
+#include "support/program.hpp"
 
 #include <pavior/brep/face_distance.hpp>
 #include <pavior/cad/cap_mesh.hpp>
@@ -13,6 +14,7 @@
 #include <pavior/one_to_one/sweep_model.hpp>
 
 #include <set>
+#include <string>
 #include <vector>
 
 using namespace pavior;
@@ -83,5 +85,23 @@ TEST_CASE("A named dome is a cap, a tube is none") {
     for (const SweepTopology& candidate : recognise_sweeps(ring, SolidId{0}).candidates) {
         CHECK(ring.face_kind(candidate.source) != "Cylinder");
         CHECK(ring.face_kind(candidate.target) != "Cylinder");
+    }
+}
+
+TEST_CASE("A dome comes back from a STEP file as a cap") {
+    for (const Dome dome : {Dome::sphere, Dome::ring, Dome::revolved}) {
+        CAPTURE(static_cast<int>(dome));
+        const std::string file = scratch_file("dome.step");
+        gmsh::initialize();
+        gmsh::option::setNumber("General.Terminal", 0);
+        make_dome(dome);
+        occ::synchronize();
+        gmsh::write(file);
+        gmsh::finalize();
+        const GmshBrep model = GmshBrep::load(file);
+        const ModelMesh mesh = swept(model, best_sweep(model, SolidId{0}), 0.35 * model.diagonal() / 6);
+        CHECK(verify_hexes(mesh.mesh).ok());
+        CHECK(hex_quality(mesh.mesh).scaled_jacobian.min > 0.2);
+        CHECK(face_distance(model, mesh.mesh.nodes, mesh.quads, mesh.quad_face).distance < 1e-6 * model.diagonal());
     }
 }
