@@ -1,5 +1,6 @@
 #include <pavior/one_to_one/recognition.hpp>
 
+#include "support/archetypes.hpp"
 #include "support/catch.hpp"
 #include "support/test_brep.hpp"
 
@@ -64,36 +65,6 @@ double signed_area(const TestBrep& b, const EdgeLoop& loop) {
 }
 
 bool mentions(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-/// A brep with nothing but what the concept asks for.
-class Archetype {
-public:
-    explicit Archetype(const TestBrep& b) : b_(b) {}
-    Archetype(const Archetype&) = delete;
-    Archetype& operator=(const Archetype&) = delete;
-    auto vertex_count() const { return b_.vertex_count(); }
-    auto edge_count() const { return b_.edge_count(); }
-    auto face_count() const { return b_.face_count(); }
-    auto solid_count() const { return b_.solid_count(); }
-    auto solid_faces(SolidId s) const { return b_.solid_faces(s); }
-    auto face_loops(FaceId f) const { return b_.face_loops(f); }
-    auto edge_vertices(EdgeId e) const { return b_.edge_vertices(e); }
-    auto vertex_point(VertexId v) const { return b_.vertex_point(v); }
-    auto edge_range(EdgeId e) const { return b_.edge_range(e); }
-    auto edge_point(EdgeId e, double t) const { return b_.edge_point(e, t); }
-    auto edge_derivative(EdgeId e, double t) const { return b_.edge_derivative(e, t); }
-    auto edge_length(EdgeId e) const { return b_.edge_length(e); }
-    auto face_point(FaceId f, const Vec2& uv) const { return b_.face_point(f, uv); }
-    auto face_derivatives(FaceId f, const Vec2& uv) const { return b_.face_derivatives(f, uv); }
-    auto closest_on_face(FaceId f, const Vec3& x) const { return b_.closest_on_face(f, x); }
-    auto edge_on_face(EdgeId e, double t, FaceId f, bool forward) const { return b_.edge_on_face(e, t, f, forward); }
-    auto face_period(FaceId f) const { return b_.face_period(f); }
-    auto tag(int dim, std::size_t index) const { return b_.tag(dim, index); }
-
-private:
-    const TestBrep& b_;
-};
-static_assert(brep<Archetype>);
 
 }  // namespace
 
@@ -410,9 +381,9 @@ TEST_CASE("Mistakes of the caller are told apart from unsweepable solids") {
 TEST_CASE("Recognition needs nothing but the brep concept") {
     TestBrep b;
     const SolidId solid = add_prism(b, l_shape(), 0, 1);
-    const Archetype archetype(b);
-    const Recognition r = recognise_sweeps(archetype, solid);
+    const archetype::Brep model(b);
+    const Recognition r = recognise_sweeps(model, solid);
     REQUIRE(r.candidates.size() == 1);
     CHECK(r.candidates[0].loops == recognise_sweeps(b, solid).candidates[0].loops);
-    CHECK(sweep_between(archetype, solid, FaceId{1}, FaceId{0}).source == FaceId{1});
+    CHECK(sweep_between(model, solid, FaceId{1}, FaceId{0}).source == FaceId{1});
 }
