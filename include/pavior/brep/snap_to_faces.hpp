@@ -50,7 +50,7 @@ std::size_t snap_to_faces(const B& body, std::span<Vec3> nodes, std::span<const 
             }
         }
         const bool far = !((x - nodes[node]).norm() <= within);
-        left += far ? 1 : 0;
+        left += far ? 1U : 0U;
         nodes[node] = far ? nodes[node] : x;
     }
     return left;

@@ -127,7 +127,7 @@ void classify_triangles(const M& mesh, const TriangleMarks& marks, TriangleDual&
     std::vector<std::size_t> layers(node_count(mesh), 0);
     for (std::size_t e = 0; e < edges.size(); ++e) {
         for (const Index i : edges[e]) {
-            layers[i] += out.edge_class[e] == EntityClass::layer ? 1 : 0;
+            layers[i] += out.edge_class[e] == EntityClass::layer ? 1U : 0U;
         }
     }
     for (const std::size_t n : layers) {

@@ -179,7 +179,7 @@ private:
                 note_overlap(facets, p);
             }
             cell_[at] = winding > 0 ? 1 : 0;
-            cell_count_ += winding > 0 ? 1 : 0;
+            cell_count_ += winding > 0 ? 1U : 0U;
             winding = last ? 0 : winding;
         });
     }

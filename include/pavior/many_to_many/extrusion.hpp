@@ -129,8 +129,8 @@ template <brep B>
         ExtrusionRefusal refusal{f, 0, 0};
         const ExtrusionRole role = detail::role_of(detail::face_normals(b, f), result.direction, options, refusal);
         result.roles[f.index()] = role;
-        result.caps += role == ExtrusionRole::flat || role == ExtrusionRole::cap ? 1 : 0;
-        result.slanted += role == ExtrusionRole::cap ? 1 : 0;
+        result.caps += role == ExtrusionRole::flat || role == ExtrusionRole::cap ? 1U : 0U;
+        result.slanted += role == ExtrusionRole::cap ? 1U : 0U;
         if (role == ExtrusionRole::none) {
             result.refusals.push_back(refusal);
         }

@@ -41,8 +41,8 @@ public:
         const auto at = [&](Eigen::Index axis) { return static_cast<double>(nodes_.coeff(row, axis)); };
         return {at(0), at(1), nodes_.cols() == 3 ? at(2) : 0.0};
     }
-    [[nodiscard]] std::array<Index, N> cell(Index c) const {
-        std::array<Index, N> corners;
+    [[nodiscard]] std::array<Index, std::size_t{N}> cell(Index c) const {
+        std::array<Index, std::size_t{N}> corners;
         for (int k = 0; k < N; ++k) {
             corners[static_cast<std::size_t>(k)] = id(cells_.coeff(static_cast<Eigen::Index>(c), k));
         }

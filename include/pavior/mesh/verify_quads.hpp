@@ -109,7 +109,7 @@ void check_edges(const M& mesh, const std::vector<char>& bad, QuadReport& report
                 corners.unite(4 * std::size_t{q} + corner_at(c, end), 4 * std::size_t{use.quad} + corner_at(d, end));
             }
         }
-        report.boundary_edges += uses.size() == 1 ? 1 : 0;
+        report.boundary_edges += uses.size() == 1 ? 1U : 0U;
         if (uses.size() > 2) {
             report.add(MeshFault::overused, {low, high});
         } else if (uses.size() == 2 && runs_along(c, low, high) == runs_along(quad(mesh, uses[1].quad), low, high)) {

@@ -36,7 +36,7 @@ PAVIOR_INLINE std::size_t chains_along(const SolidBoundary& solid, std::size_t f
         for (const std::size_t h : solid.loop_from(first)) {
             const bool on = solid.twin_face(h) == cap;
             inside += on ? 1 : 0;
-            starts += !on && solid.twin_face(solid.half_edges[h].next) == cap ? 1 : 0;
+            starts += !on && solid.twin_face(solid.half_edges[h].next) == cap ? 1U : 0U;
         }
         runs += inside != 0 && starts == 0 ? 1 : starts;
     }

@@ -58,7 +58,7 @@ public:
             }
         }
         for (std::size_t i = 0; i < first.size(); ++i) {
-            placement_.moved += first[i] != placement_.parameters[i] ? 1 : 0;
+            placement_.moved += first[i] != placement_.parameters[i] ? 1U : 0U;
         }
         return std::move(placement_);
     }

@@ -72,7 +72,7 @@ public:
         std::vector<Index> valence(topology_.node_count(), 0);
         for (std::size_t s = 0; s < kinds_.size(); ++s) {
             for (const Index i : topology_.edges[surface_.edges[s]]) {
-                valence[i] += kinds_[s] != CurveKind::smooth ? 1 : 0;
+                valence[i] += kinds_[s] != CurveKind::smooth ? 1U : 0U;
             }
         }
         return valence;
