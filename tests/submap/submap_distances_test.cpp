@@ -78,15 +78,22 @@ TEST_CASE("a hole pushed out of its face is told by edges of the face") {
 }
 
 TEST_CASE("the margin brings in what lies beside") {
-    Voxels voxels(5, 5, 2);
-    voxels.fill({0, 0, 0}, {5, 5, 2}, 1);
-    voxels.fill({1, 1, 1}, {2, 2, 2}, 0);
-    voxels.fill({3, 3, 1}, {4, 4, 2}, 0);
-    voxels.at[0] = {0, 2, 4, 4.1, 6, 8};
-    const auto count = [&](double margin) {
-        return rules(voxels, margin, [](double length) { return length > 7 ? 6 : length > 4.05 ? 4 : 2; }).size();
+    Voxels voxels(5, 3, 3);
+    voxels.fill({0, 0, 0}, {5, 3, 3}, 1);
+    voxels.fill({1, 1, 0}, {2, 2, 1}, 0);  // a pocket from below and one from above, 2 apart
+    voxels.fill({3, 1, 2}, {4, 2, 3}, 0);
+    voxels.at[0] = {0, 1, 2, 4, 5, 6};
+    voxels.at[2] = {0, 2, 3, 5};
+    const auto found = [&](double margin) {
+        return rules(voxels, margin, [](double length) {
+            return length > 5.5 ? 6 : length > 4.5 ? 4 : rounded(length);
+        });
     };
-    CHECK(count(1.5) >= count(0.0));
+    CHECK(found(0.0).empty());
+    CHECK(found(1.9).empty());
+    const std::vector<IntervalRule> beside = found(2.1);
+    REQUIRE(beside.size() == 1);
+    CHECK(beside[0].faces.size() == 2);
 }
 
 TEST_CASE("outlines meet where they have common inner points") {
