@@ -340,10 +340,7 @@ TEST_CASE("A sweep whose sides meet a cap tangentially or leave it at a reflex a
         } else {
             CHECK_THROWS_WITH(sweep_between(f, frustum, FaceId{0}, FaceId{1}),
                               Catch::Contains("faces 3, 4, 5, 6: its angle to a cap differs from 90 degrees by 88"));
-            const Recognition r = recognise_sweeps(f, frustum);
-            for (const SweepTopology& other : r.candidates) {
-                CHECK(other.source != FaceId{0});
-            }
+            CHECK(recognise_sweeps(f, frustum).candidates.empty());
         }
     }
 }
