@@ -42,7 +42,7 @@ static_assert(!integer_solver<int>);
 TEST_CASE("variables and rows are unbounded and integer by default") {
     IntegerProgram program;
     CHECK(program.add({.cost = 2.0, .name = "x"}) == 0);
-    CHECK(program.add({.lower = 1.0, .upper = 4.0, .integer = false}) == 1);
+    CHECK(program.add({.lower = 1.0, .upper = 4.0, .integer = false, .name = ""}) == 1);
     REQUIRE(program.variables.size() == 2);
     CHECK(program.variables[0].lower == 0.0);
     CHECK(program.variables[0].upper == no_bound);
@@ -58,7 +58,7 @@ TEST_CASE("variables and rows are unbounded and integer by default") {
 
 TEST_CASE("any callable solves, and says whether there is a solution") {
     IntegerProgram program;
-    program.add({.upper = 9.0, .cost = 3.0});
+    program.add({.upper = 9.0, .cost = 3.0, .name = "x"});
     program.rows.push_back({.lower = 5.0, .terms = {{0, 2.0}}, .name = "twice x"});
     const OneVariableSolver solver;
     const IntegerSolution solution = solver(program);
