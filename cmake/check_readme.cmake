@@ -1,8 +1,11 @@
-# The example in the README is examples/quick_start.cpp, letter by letter.
+# The examples in the README are files of examples/, letter by letter but for an opening comment.
 file(READ ${source}/README.md readme)
-file(READ ${source}/examples/quick_start.cpp example)
-string(STRIP "${example}" example)
-string(FIND "${readme}" "```cpp\n${example}\n```" at)
-if(at EQUAL -1)
-  message(FATAL_ERROR "README.md does not show examples/quick_start.cpp as it is")
-endif()
+foreach(name quick_start mesh_step)
+  file(READ ${source}/examples/${name}.cpp example)
+  string(REGEX REPLACE "^//[^\n]*\n" "" example "${example}")
+  string(STRIP "${example}" example)
+  string(FIND "${readme}" "```cpp\n${example}\n```" at)
+  if(at EQUAL -1)
+    message(FATAL_ERROR "README.md does not show examples/${name}.cpp as it is")
+  endif()
+endforeach()
