@@ -2,6 +2,7 @@
 
 #include <pavior/block/chain_curve.hpp>
 #include <pavior/block/patch_map.hpp>
+#include <pavior/core/error.hpp>
 
 #include <random>
 

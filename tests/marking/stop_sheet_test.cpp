@@ -86,8 +86,8 @@ TEST_CASE("stopped sheets make valid blocks, and fewer than whole ones where the
         const ReferenceMesh mesh = tet_meshes::reference(tet_meshes::random_solid({3, 2, 2}, random), 1, false);
         const MarkingOptions options;
         const detail::SheetMarker marker(mesh, options);
-        const MarkedMesh full = detail::mark_best(marker, Propagation::full);
-        const MarkedMesh stop = detail::mark_best(marker, Propagation::stop);
+        const MarkedMesh full = detail::mark_best(marker, Propagation::full, {});
+        const MarkedMesh stop = detail::mark_best(marker, Propagation::stop, {});
         CHECK(stop.report.valid);
         CHECK(stop.report.quality > 0);
         CHECK(stop.report.blocks == full.report.blocks);  // planes that only cross cannot end
