@@ -1,6 +1,7 @@
 #include "support/catch.hpp"
 
 #include <pavior/block/chain_curve.hpp>
+#include <pavior/block/detail/mean_value.hpp>
 #include <pavior/block/patch_map.hpp>
 #include <pavior/core/error.hpp>
 
