@@ -1,6 +1,6 @@
 // Cost of the local dual contributions against TetGen's own time on the same mesh, from 10^4 to 5 x 10^6 tetrahedra:
-// time per tetrahedron of each step, bytes per tetrahedron, one thread against two; and the way to the same blocks by the
-// cell complex. A unit cube in eight boxes, the
+// time per tetrahedron of each step, bytes per tetrahedron, one thread against two; and the way to the same blocks by
+// the cell complex. A unit cube in eight boxes, the
 // cuts given to TetGen as facets.
 #include "timing.hpp"
 

@@ -1,5 +1,5 @@
-// How soon a call ends that another thread asks to stop: block_solid() with marking, refinement and optimisation, asked at
-// moments spread evenly over its run.
+// How soon a call ends that another thread asks to stop: block_solid() with marking, refinement and optimisation, asked
+// at moments spread evenly over its run.
 #include "timing.hpp"
 
 #include <pavior/block/block_solid.hpp>

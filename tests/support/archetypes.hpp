@@ -1,6 +1,6 @@
 #pragma once
-// The smallest types that model the concepts beside those of meshes (foreign_meshes.hpp): what an algorithm may use, and
-// nothing more. None can be copied, moved or default-constructed, and what their functions return is nothing but
+// The smallest types that model the concepts beside those of meshes (foreign_meshes.hpp): what an algorithm may use,
+// and nothing more. None can be copied, moved or default-constructed, and what their functions return is nothing but
 // convertible to what the concept asks for.
 
 #include <pavior/brep/brep.hpp>
@@ -29,7 +29,8 @@ private:
     T value_;
 };
 
-/// A callable that need not be const: an integer_solver, plane_imprinter, region_mesher or cap_mesher. Counts its calls.
+/// A callable that need not be const: an integer_solver, plane_imprinter, region_mesher or cap_mesher. Counts its
+/// calls.
 template <class Signature>
 class Callable;
 template <class R, class... Arguments>

@@ -42,8 +42,8 @@ struct BlockOptions {
     std::optional<RefineOptions> refine = {};
     /// Threads, and the token that ends the call.
     Execution execution = sequential;
-    /// Stages "marking", "dual", "blocks", "refinement", the stages of those between: from 0 to 1, never backwards. Where
-    /// marking or refinement have a sink of their own, that one gets their stages, from 0 to 1 too.
+    /// Stages "marking", "dual", "blocks", "refinement", the stages of those between: from 0 to 1, never backwards.
+    /// Where marking or refinement have a sink of their own, that one gets their stages, from 0 to 1 too.
     Progress progress = {};
 };
 

@@ -85,8 +85,9 @@ public:
     explicit NearestEdge(const B& b) : b_(b), samples_(b.edge_count()) {}
 
     /// The point of \p e next to \p x, to rounding, and within edge_range(): Gauss-Newton from the nearest segment
-    /// between samples; by halving where that does not settle, which takes an x as far away as the edge is curved. About
-    /// ten evaluations, then 120 more; and once 17 or more for the samples (until they follow the edge, at most 2000).
+    /// between samples; by halving where that does not settle, which takes an x as far away as the edge is curved.
+    /// About ten evaluations, then 120 more; and once 17 or more for the samples (until they follow the edge, at most
+    /// 2000).
     [[nodiscard]] EdgePoint closest(EdgeId e, const Vec3& x) {
         const detail::EdgeSamples& s = samples(e);
         const std::array<double, 2> range = b_.edge_range(e);

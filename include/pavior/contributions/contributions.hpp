@@ -3,14 +3,14 @@
 /// Local dual contributions of all tetrahedra, added hierarchically (Algorithms 5.2 to 5.5 \cite roca2009).
 ///
 /// What this room is for: blocks without a prescribed mesh of the boundary, by looking at one tetrahedron at a time.
-/// Each holds 28 candidate polygons (candidates.hpp) for pieces of the surfaces dual to the block mesh. From the classes
-/// of its faces, edges and nodes alone, matching rules (matching_rules.hpp) choose those that are there: its local dual
-/// contributions. Neighbours agree without asking each other, so that the pieces close to surfaces which divide the
-/// solid into regions (regions.hpp; both to look at in dual_surfaces.hpp); a region is a node of the block mesh, a dual
-/// point a hexahedron (dual_blocks.hpp). triangle_dual.hpp is all of it in the plane.
+/// Each holds 28 candidate polygons (candidates.hpp) for pieces of the surfaces dual to the block mesh. From the
+/// classes of its faces, edges and nodes alone, matching rules (matching_rules.hpp) choose those that are there: its
+/// local dual contributions. Neighbours agree without asking each other, so that the pieces close to surfaces which
+/// divide the solid into regions (regions.hpp; both to look at in dual_surfaces.hpp); a region is a node of the block
+/// mesh, a dual point a hexahedron (dual_blocks.hpp). triangle_dual.hpp is all of it in the plane.
 ///
-/// That block mesh is the midpoint subdivision of the cell complex that the layers cut out (dual/cell_complex.hpp), which
-/// block_solid() takes by default since later steps need the complex anyway; with BlockOptions::dualization =
+/// That block mesh is the midpoint subdivision of the cell complex that the layers cut out (dual/cell_complex.hpp),
+/// which block_solid() takes by default since later steps need the complex anyway; with BlockOptions::dualization =
 /// Dualization::contributions it takes what this room makes: the same bytes (tests/block/dualize_test.cpp).
 
 #include <pavior/contributions/candidates.hpp>

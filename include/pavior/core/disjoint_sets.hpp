@@ -13,10 +13,11 @@
 
 namespace pavior {
 
-/// Disjoint sets over [0, n), each member alone at first; \p T (unsigned) holds a member, sizeof(T) bytes each. The root
-/// of a set is its smallest member, in whatever order and by however many threads sets were united: what is numbered by
-/// roots is the same bytes always. Members are not checked. root() and unite() take O(log n) amortized; they shorten
-/// paths, so that only the members named *_shared, and root() of a const object, may be called from several threads.
+/// Disjoint sets over [0, n), each member alone at first; \p T (unsigned) holds a member, sizeof(T) bytes each. The
+/// root of a set is its smallest member, in whatever order and by however many threads sets were united: what is
+/// numbered by roots is the same bytes always. Members are not checked. root() and unite() take O(log n) amortized;
+/// they shorten paths, so that only the members named *_shared, and root() of a const object, may be called from
+/// several threads.
 template <class T = Index>
 class DisjointSets {
 public:
@@ -44,8 +45,8 @@ public:
         parent_[std::max(i, j)] = std::min(i, j);
     }
     [[nodiscard]] bool same(T i, T j) { return root(i) == root(j); }
-    /// Unites the set of \p i with that of which \p root_of_set is the root; returns the new root. Fast where \p i hangs
-    /// there already.
+    /// Unites the set of \p i with that of which \p root_of_set is the root; returns the new root. Fast where \p i
+    /// hangs there already.
     T attach(T i, T root_of_set) {
         if (parent_[i] == root_of_set) {
             return root_of_set;

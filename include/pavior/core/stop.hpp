@@ -7,9 +7,9 @@
 
 namespace pavior {
 
-/// Thrown by a call that was asked to stop. What the call was to write in place is as before the call, unless its comment
-/// says otherwise; nothing else is left behind. No Error, since nothing went wrong: code that catches Error to try
-/// another way must let it pass.
+/// Thrown by a call that was asked to stop. What the call was to write in place is as before the call, unless its
+/// comment says otherwise; nothing else is left behind. No Error, since nothing went wrong: code that catches Error to
+/// try another way must let it pass.
 class Stopped : public std::exception {
 public:
     [[nodiscard]] const char* what() const noexcept override { return "stopped: the caller asked for it"; }

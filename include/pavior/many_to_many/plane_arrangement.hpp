@@ -70,8 +70,8 @@ struct ImprintOptions {
     std::vector<double> merge;
 };
 
-/// F computes arrangements: f(curves, options) is convertible to a PlaneArrangement in which no vertex is closer than the
-/// tolerance to another vertex or to an edge that does not end there.
+/// F computes arrangements: f(curves, options) is convertible to a PlaneArrangement in which no vertex is closer than
+/// the tolerance to another vertex or to an edge that does not end there.
 template <class F>
 concept plane_imprinter = requires(F&& f, const PlaneCurves& curves, const ImprintOptions& options) {
     { f(curves, options) } -> std::convertible_to<PlaneArrangement>;

@@ -52,11 +52,11 @@ struct MarkingOptions {
     /// when violations have multiplied by 16.
     double max_growth = 64.0;
     /// What to do when repair gives up: true marks every face of the reference mesh as a layer, which makes four
-    /// blocks of each tetrahedron and is always valid (tetrahedra with two faces on one smooth patch are parted at their
-    /// centroids before); false leaves the violations in the report.
+    /// blocks of each tetrahedron and is always valid (tetrahedra with two faces on one smooth patch are parted at
+    /// their centroids before); false leaves the violations in the report.
     bool split_everything = false;
-    /// Smallest scaled Jacobian of the blocks of a valid marking, 1 for cubes, by which tries are compared; unset: that of
-    /// a simple placement. Called from the calling thread, once for each valid try.
+    /// Smallest scaled Jacobian of the blocks of a valid marking, 1 for cubes, by which tries are compared; unset: that
+    /// of a simple placement. Called from the calling thread, once for each valid try.
     std::function<double(const ReferenceMesh&)> quality;
     /// Threads of topology and cells, and the token that ends the call.
     Execution execution = sequential;

@@ -19,20 +19,20 @@ using Vec2 = Eigen::Vector2d;
 namespace detail {
 
 template <std::size_t N>
-using size_constant = std::integral_constant<std::size_t, N>;
+using SizeConstant = std::integral_constant<std::size_t, N>;
 
 /// How many coordinates the type P tells its values have; 3 where it tells nothing (pointers, vectors, own classes).
 template <class P>
 [[nodiscard]] constexpr std::size_t coordinate_count() {
     if constexpr (std::is_bounded_array_v<P>) {
         return std::extent_v<P>;
-    } else if constexpr (requires { typename size_constant<std::tuple_size<P>::value>; }) {
+    } else if constexpr (requires { typename SizeConstant<std::tuple_size<P>::value>; }) {
         return std::tuple_size<P>::value;  // std::array, std::tuple
-    } else if constexpr (requires { typename size_constant<std::size_t{P::SizeAtCompileTime}>; }) {
+    } else if constexpr (requires { typename SizeConstant<std::size_t{P::SizeAtCompileTime}>; }) {
         return P::SizeAtCompileTime;  // Eigen, fixed
-    } else if constexpr (requires { typename size_constant<std::size_t{P::Ambient_dimension::value}>; }) {
+    } else if constexpr (requires { typename SizeConstant<std::size_t{P::Ambient_dimension::value}>; }) {
         return P::Ambient_dimension::value;  // CGAL
-    } else if constexpr (requires { typename size_constant<std::size_t{P::extent}>; }) {
+    } else if constexpr (requires { typename SizeConstant<std::size_t{P::extent}>; }) {
         return P::extent == static_cast<std::size_t>(-1) ? 3 : P::extent;  // std::span
     }
     return 3;
@@ -43,8 +43,8 @@ template <class P>
 /// A type P is point_like if, for a value p of it (references and const stripped):
 /// 1. p[0], p[1], p[2] are convertible to double;
 /// 2. its number of coordinates is 3 where the type tells it: arrays, std::array, spans, vectors of Eigen, CGAL points;
-/// 3. (not checkable) they are its Cartesian coordinates, and reading them costs O(1). So is 2 for the others: pointers,
-///    std::vector, classes of your own.
+/// 3. (not checkable) they are its Cartesian coordinates, and reading them costs O(1). So is 2 for the others:
+///    pointers, std::vector, classes of your own.
 /// Models: std::array<double, 3>, const double*, Eigen::Vector3d/f, CGAL::Point_3.
 template <class P>
 concept point_like = (detail::coordinate_count<std::remove_cvref_t<P>>() == 3) &&

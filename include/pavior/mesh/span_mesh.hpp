@@ -17,12 +17,12 @@ namespace detail {
 
 /// What stands in a contiguous range: vectors, arrays, spans.
 template <class R>
-using array_value = typename decltype(std::span(std::declval<R&>()))::value_type;
+using ArrayValue = typename decltype(std::span(std::declval<R&>()))::value_type;
 
 /// A contiguous range whose elements outlive the expression: no temporary that owns them.
 template <class R>
 concept lasting_array = std::ranges::borrowed_range<R> && requires {
-    typename array_value<R>;
+    typename ArrayValue<R>;
 };
 
 }  // namespace detail
@@ -35,7 +35,7 @@ struct QuadMeshView {
     std::span<const C> quads;
 };
 template <detail::lasting_array P, detail::lasting_array C>
-QuadMeshView(P&&, C&&) -> QuadMeshView<detail::array_value<P>, detail::array_value<C>>;
+QuadMeshView(P&&, C&&) -> QuadMeshView<detail::ArrayValue<P>, detail::ArrayValue<C>>;
 
 /// Hexahedral mesh over the user's arrays: nodes[i] is point_like, hexes[h] eight corner ids. Copies nothing.
 template <point_like P = Vec3, class C = HexCorners>
@@ -44,7 +44,7 @@ struct HexMeshView {
     std::span<const C> hexes;
 };
 template <detail::lasting_array P, detail::lasting_array C>
-HexMeshView(P&&, C&&) -> HexMeshView<detail::array_value<P>, detail::array_value<C>>;
+HexMeshView(P&&, C&&) -> HexMeshView<detail::ArrayValue<P>, detail::ArrayValue<C>>;
 
 /// Triangle mesh over the user's arrays: nodes[i] is point_like, triangles[t] three corner ids. Copies nothing.
 template <point_like P = Vec3, class C = TriCorners>
@@ -53,7 +53,7 @@ struct TriMeshView {
     std::span<const C> triangles;
 };
 template <detail::lasting_array P, detail::lasting_array C>
-TriMeshView(P&&, C&&) -> TriMeshView<detail::array_value<P>, detail::array_value<C>>;
+TriMeshView(P&&, C&&) -> TriMeshView<detail::ArrayValue<P>, detail::ArrayValue<C>>;
 
 /// Tetrahedral mesh over the user's arrays: nodes[i] is point_like, tets[t] four corner ids. Copies nothing.
 template <point_like P = Vec3, class C = TetCorners>
@@ -62,7 +62,7 @@ struct TetMeshView {
     std::span<const C> tets;
 };
 template <detail::lasting_array P, detail::lasting_array C>
-TetMeshView(P&&, C&&) -> TetMeshView<detail::array_value<P>, detail::array_value<C>>;
+TetMeshView(P&&, C&&) -> TetMeshView<detail::ArrayValue<P>, detail::ArrayValue<C>>;
 
 /// Quad mesh that owns its arrays.
 struct QuadMesh {

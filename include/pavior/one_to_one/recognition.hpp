@@ -131,9 +131,9 @@ PAVIOR_INLINE void add_closest_refusals(const SolidBoundary& solid, std::size_t 
 /// Finds every pair of faces of \p solid between which it is a one-to-one sweep, and ranks the pairs.
 ///
 /// Conditions: the caps have equally many loops and touch nowhere, and one with a seam (a dome round its pole) leans by
-/// less than 80 degrees (cap_plane()) and counts only if there are no caps without; every other face is a linking side (one
-/// loop, four logical sides or a union of such rectangles); the linking sides form, round each loop of the source, a
-/// ring that ends at exactly one loop of the target. Side faces that reach from cap to cap are judged by topology
+/// less than 80 degrees (cap_plane()) and counts only if there are no caps without; every other face is a linking side
+/// (one loop, four logical sides or a union of such rectangles); the linking sides form, round each loop of the source,
+/// a ring that ends at exactly one loop of the target. Side faces that reach from cap to cap are judged by topology
 /// alone, side faces above each other also by their corner angles (StackingOptions). Corners of linking sides and
 /// angles between them and the caps near 0, near 180 (a fillet at the rim of a cap) or beyond are refused, since the
 /// hexahedra there cannot be valid (max_deviation). Geometry is not checked further.

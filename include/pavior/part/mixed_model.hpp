@@ -41,8 +41,8 @@ template <brep B>
 
 /// Meshes the solids of \p sweeps and \p submaps with the numbers of assign_submap_intervals() for both, each shared
 /// face once: submapped faces first, then linking sides, then caps in an order in which each sweep finds the mesh of a
-/// neighbour at its source. \p given (neighbour_boundary(), or empty) holds what neighbours that are done have made of the
-/// faces and edges that they share; its edges must have the numbers of \p intervals (given_intervals()).
+/// neighbour at its source. \p given (neighbour_boundary(), or empty) holds what neighbours that are done have made of
+/// the faces and edges that they share; its edges must have the numbers of \p intervals (given_intervals()).
 /// The result is not verified; use verify_hexes(). Deterministic if the model and the mesher are.
 /// \throws UnmeshableError not_sweepable naming faces on which neighbours need different meshes, not_submappable naming
 /// a face of a submapped solid whose given mesh is not structured; what sweep_model() and submap_model() throw

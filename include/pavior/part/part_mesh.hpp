@@ -71,8 +71,8 @@ struct PartDecision {
 
 /// Hexahedra of a model, what they belong to, and how they came about.
 struct PartMesh {
-    /// All meshes that were taken. Group numbers of hexahedra are tags of solids, those of quads tags of faces; quads are
-    /// the mesh of the faces, about the face's own normal (of blocks: seen from outside).
+    /// All meshes that were taken. Group numbers of hexahedra are tags of solids, those of quads tags of faces; quads
+    /// are the mesh of the faces, about the face's own normal (of blocks: seen from outside).
     HexMeshData data;
     std::vector<PartDecision> decisions;  ///< one for each group of solids that touch
     MeshCheck check;                      ///< of data

@@ -28,8 +28,8 @@ enum class PartMethod : std::uint8_t { submap, sweep, multi_sweep, mixed, block 
     return "unknown";
 }
 
-/// Lengths are in the unit of the model, seconds are wall time. Tags are the numbers by which users of the CAD file know
-/// the entities (brep::tag).
+/// Lengths are in the unit of the model, seconds are wall time. Tags are the numbers by which users of the CAD file
+/// know the entities (brep::tag).
 struct PartOptions {
     double size = 0;                   ///< wished length of mesh edges; 0: diagonal / 12
     std::map<int, double> edge_size;   ///< other lengths, by tag of the edge; goes before everything else

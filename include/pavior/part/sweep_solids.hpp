@@ -103,8 +103,8 @@ void add_sweep_warnings(const B& b, SweptSolids& result) {
 }  // namespace detail
 
 /// Sweeps \p solids of \p b one-to-one, one conforming mesh for all; each along the best of its sweeps that has the
-/// caps asked for. Where a cap between very few nodes admits no quads that are not folded, finer sizes are tried, with a
-/// warning. The result is not verified; use check_mesh(). Deterministic if the model and the callables are.
+/// caps asked for. Where a cap between very few nodes admits no quads that are not folded, finer sizes are tried, with
+/// a warning. The result is not verified; use check_mesh(). Deterministic if the model and the callables are.
 /// \throws UnmeshableError naming faces; InputError bad_option (size, source, target)
 template <brep B, integer_solver Solver, cap_mesher M>
 [[nodiscard]] SweptSolids sweep_solids(const B& b, std::span<const SolidId> solids, const SweepSolidsOptions& options,

@@ -45,8 +45,8 @@ struct ImproveOptions {
     std::size_t max_ids = 1000;
     /// Threads, and the token that ends the call, which is looked at in every evaluation of a patch.
     Execution execution = sequential;
-    /// Stages "untangle" if something is inverted, then "improve": from 0 to 1, never backwards. Silent if the mesh is as
-    /// good as wanted.
+    /// Stages "untangle" if something is inverted, then "improve": from 0 to 1, never backwards. Silent if the mesh is
+    /// as good as wanted.
     Progress progress = {};
 };
 

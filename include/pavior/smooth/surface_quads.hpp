@@ -31,8 +31,8 @@ namespace pavior {
 /// \param reference_nodes  empty, or one point in space per node: the shape each quad should take, e.g. the source cap;
 ///                   any scale and position. Empty: squares of the mean area.
 /// \return the report; its determinants are those in space. A quad that is folded by fixed nodes alone is reported.
-/// \throws InputError size_mismatch, bad_index, not_finite, bad_option; Stopped; what the surface throws. The parameters
-/// are as they were then.
+/// \throws InputError size_mismatch, bad_index, not_finite, bad_option; Stopped; what the surface throws. The
+/// parameters are as they were then.
 template <parametric_surface Surface>
 SmoothReport untangle_surface_quads(const Surface& surface, std::span<Vec2> uv, std::span<const QuadCorners> quads,
                                     std::span<const std::uint8_t> fixed, const UntangleOptions& options = {},

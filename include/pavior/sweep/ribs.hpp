@@ -18,8 +18,8 @@
 
 namespace pavior {
 
-/// C is a rib_curve if, for a const C& c, c(t) is convertible to Vec3 for every t in [0, 1]: a continuous curve from the
-/// source cap (t = 0) to the target cap (t = 1), any regular parametrisation (not checkable).
+/// C is a rib_curve if, for a const C& c, c(t) is convertible to Vec3 for every t in [0, 1]: a continuous curve from
+/// the source cap (t = 0) to the target cap (t = 1), any regular parametrisation (not checkable).
 /// Models: Polyline, a lambda, std::function<Vec3(double)>.
 template <class C>
 concept rib_curve = requires(const C& c, double t) {
