@@ -1,5 +1,5 @@
-# Compiled, optional targets: pavior::compiled, pavior::io, pavior::cad, pavior::glpk, pavior::tetra, pavior::imprint and
-# the program.
+# Compiled, optional targets: pavior::compiled, pavior::io, pavior::cad, pavior::glpk, pavior::tetra, pavior::imprint,
+# pavior::part and the program.
 
 # pavior_component(name): the static library pavior_<name> of src/<name>/*.cpp, with the alias pavior::<name>.
 function(pavior_component name)

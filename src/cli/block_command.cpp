@@ -90,7 +90,7 @@ void print(const BlockCommand& command, const SolidBlocks& solid, const MeshChec
     std::string counts = std::to_string(blocks.blocks) + " blocks, " + std::to_string(blocks.nodes()) +
                          " block nodes, " + std::to_string(blocks.sheets) + " sheets";
     if (solid.fine) {
-        counts += "; " + std::to_string(check.hexahedra) + " hexahedra, " + std::to_string(check.nodes) + " nodes";
+        counts += "; " + counts_of(check);
     }
     print_summary(command.output, counts, check, seconds);
 }

@@ -61,6 +61,10 @@ void print_check(std::ostream& out, const HexMeshData& data, const MeshCheck& ch
     out << text.str();
 }
 
+std::string counts_of(const MeshCheck& check) {
+    return std::to_string(check.hexahedra) + " hexahedra, " + std::to_string(check.nodes) + " nodes";
+}
+
 void print_summary(const std::string& file, const std::string& counts, const MeshCheck& check, double seconds) {
     std::cout << file << ": " << counts << "; scaled Jacobian min " << check.quality.scaled_jacobian.min << ", mean "
               << check.quality.scaled_jacobian.mean << "; " << seconds << " s\n";

@@ -9,6 +9,9 @@ namespace pavior::cli {
 /// Table of counts, conformity and groups, and a histogram a metric.
 void print_check(std::ostream& out, const HexMeshData& data, const MeshCheck& check);
 
+/// "12 hexahedra, 34 nodes"
+[[nodiscard]] std::string counts_of(const MeshCheck& check);
+
 /// "...: 12 hexahedra, 34 nodes; scaled Jacobian min 0.5, mean 0.9; 1.2 s"
 void print_summary(const std::string& file, const std::string& counts, const MeshCheck& check, double seconds);
 

@@ -189,10 +189,7 @@ ExitCode finish(const MeshCommand& command, const GmshBrep& model, const PartMes
         return exit_invalid;
     }
     if (!command.quiet) {
-        print_summary(
-            command.output,
-            std::to_string(part.check.hexahedra) + " hexahedra, " + std::to_string(part.check.nodes) + " nodes",
-            part.check, watch.total());
+        print_summary(command.output, counts_of(part.check), part.check, watch.total());
     }
     return exit_valid;
 }

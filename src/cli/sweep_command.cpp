@@ -127,9 +127,7 @@ ExitCode finish(const SweepCommand& command, Swept& swept, double seconds) {
         return exit_invalid;
     }
     if (!command.quiet) {
-        print_summary(command.output,
-                      std::to_string(check.hexahedra) + " hexahedra, " + std::to_string(check.nodes) + " nodes", check,
-                      seconds);
+        print_summary(command.output, counts_of(check), check, seconds);
     }
     return exit_valid;
 }

@@ -1,7 +1,7 @@
 // One-to-one sweeps between caps that contain the pole or the seam of their surface.
 #include "support/catch.hpp"
 #include "support/domes.hpp"
-#include "support/program.hpp"
+#include "support/scratch.hpp"
 
 #include <pavior/brep/face_distance.hpp>
 #include <pavior/cad/cap_mesh.hpp>

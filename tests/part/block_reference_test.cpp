@@ -11,7 +11,7 @@ using namespace pavior;
 TEST_CASE("CAD models, surfaces and tetrahedra become reference meshes, with the tags that they have") {
     const BlockReference cad = read_block_reference(std::string(PAVIOR_EXAMPLE_DATA) + "/mfcad/2-6-19.step");
     CHECK(cad.cad);
-    CHECK(std::set(cad.surface.face_tags.begin(), cad.surface.face_tags.end()).size() == 8);
+    CHECK(std::set(cad.surface.face_tags.begin(), cad.surface.face_tags.end()).size() == 12);
     CHECK_FALSE(cad.mesh.tets.empty());
     const BlockReference off = read_block_reference(std::string(PAVIOR_TEST_DATA) + "/block/c01_brick_tapered.off");
     CHECK_FALSE(off.cad);

@@ -52,8 +52,7 @@ TEST_CASE("A STEP file becomes hexahedra with groups, decisions and reports") {
             REQUIRE((entity_point(model, entity) - part.data.mesh.nodes[i]).norm() < 1e-6);
         }
     }
-    CHECK(vertices > 20);
-    CHECK(vertices <= model.vertex_count());
+    CHECK(vertices == model.vertex_count());
     const MethodTry& taken = part.decisions[0].tries[*part.decisions[0].taken];
     const auto report = nlohmann::json::parse(taken.report);
     CHECK(report["mesh"]["hexahedra"] == part.check.hexahedra);
@@ -66,7 +65,7 @@ TEST_CASE("Faces get finer edges by their tag") {
     options.methods = {PartMethod::multi_sweep};
     const std::string file = data + "/mfcad/0-1-13-19.step";
     const std::size_t coarse = mesh_file(file, options).check.hexahedra;
-    options.face_size[1] = 0.5;
+    options.face_size[1] = 0.25;
     const PartMesh fine = mesh_file(file, options);
     REQUIRE(fine.valid());
     CHECK(fine.check.hexahedra > 2 * coarse);
@@ -82,7 +81,6 @@ TEST_CASE("A limit of time ends a try in its process, and the decision says so")
     PartOptions options = with_size(0.5);
     options.methods = {PartMethod::block};
     options.seconds = 0.05;
-    const Stopwatch watch;
     const PartMesh part = mesh_file(data + "/mfcad/10-11-11-11-11-23.step", options);
     CHECK_FALSE(part.complete());
     REQUIRE(part.decisions.size() == 1);

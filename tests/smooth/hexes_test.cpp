@@ -1,3 +1,4 @@
+#include <pavior/core/error.hpp>
 #include <pavior/core/stop.hpp>
 #include <pavior/smooth/hexes.hpp>
 

@@ -1,3 +1,4 @@
+#include <pavior/core/error.hpp>
 #include <pavior/smooth/surface_quads.hpp>
 
 #include "smooth/meshes.hpp"

@@ -1,16 +1,16 @@
 #pragma once
 // The program pavior, run as its users run it.
 
+#include "support/scratch.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 namespace pavior::test {
 
@@ -19,19 +19,6 @@ struct ProgramRun {
     int code = -1;  ///< exit code, -1: killed
     std::string out, err;
 };
-
-/// A directory of this process, for the files of its tests.
-inline std::filesystem::path scratch() {
-    static const std::filesystem::path directory = [] {
-        const auto d =
-            std::filesystem::temp_directory_path() / std::string("pavior_tests_").append(std::to_string(::getpid()));
-        std::filesystem::create_directories(d);
-        return d;
-    }();
-    return directory;
-}
-
-inline std::string scratch_file(const std::string& name) { return (scratch() / name).string(); }
 
 inline std::string content(const std::filesystem::path& file) {
     std::ostringstream text;

@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
@@ -28,12 +27,8 @@ template <brep B>
     if (error <= 0) {
         return true;
     }
-    std::map<int, FaceId> curved;
-    for (std::int32_t f = 0; f < static_cast<std::int32_t>(b.face_count()); ++f) {
-        if (!is_plane(b, FaceId{f})) {
-            curved.emplace(b.tag(2, FaceId{f}.index()), FaceId{f});
-        }
-    }
+    std::map<int, FaceId> curved = faces_by_tag(b);
+    std::erase_if(curved, [&](const auto& entry) { return is_plane(b, entry.second); });
     std::vector<QuadCorners> quads;
     std::vector<FaceId> faces;
     for (std::size_t q = 0; q < data.quads.size(); ++q) {

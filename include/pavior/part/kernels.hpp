@@ -34,9 +34,7 @@ concept reference_mesher = requires(M& make, SolidId solid, double size, const F
 /// Says nothing about the methods' own reports.
 struct NoDescription {
     template <class... Report>
-    void operator()(std::string& text, const Report&... reports) const {
-        (static_cast<void>(text), ..., static_cast<void>(reports));
-    }
+    void operator()(std::string& /*text*/, const Report&... /*reports*/) const {}
 };
 
 /// The callables that mesh a model: pavior::part has them for CAD files. All are called one at a time.

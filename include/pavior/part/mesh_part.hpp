@@ -13,8 +13,8 @@
 #include <pavior/part/part_mesh.hpp>
 #include <pavior/part/try_method.hpp>
 
+#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <span>
 #include <string>
@@ -29,11 +29,12 @@ namespace detail {
 template <brep B>
 [[nodiscard]] PartOptions with_named_sizes(const B& b, PartOptions options) {
     const auto named = std::exchange(options.named_size, {});
+    const std::map<int, FaceId> faces = faces_by_tag(b);
     for (const auto& [name, size] : named) {
         bool found = false;
-        for (std::int32_t f = 0; f < static_cast<std::int32_t>(b.face_count()); ++f) {
-            if (name_of(b, FaceId{f}) == name) {
-                options.face_size[b.tag(2, FaceId{f}.index())] = size;
+        for (const auto& [tag, face] : faces) {
+            if (name_of(b, face) == name) {
+                options.face_size[tag] = size;
                 found = true;
             }
         }
@@ -57,10 +58,7 @@ template <brep B>
     for (const SolidId s : all_solids(b)) {
         solid.emplace(b.tag(3, s.index()), s);
     }
-    std::map<int, FaceId> face;
-    for (std::int32_t f = 0; f < static_cast<std::int32_t>(b.face_count()); ++f) {
-        face.emplace(b.tag(2, FaceId{f}.index()), FaceId{f});
-    }
+    const std::map<int, FaceId> face = faces_by_tag(b);
     std::vector<SolidId> hex_solid;
     for (const int tag : data.hex_groups) {
         hex_solid.push_back(solid.at(tag));
@@ -78,12 +76,13 @@ template <brep B, class Attempt>
     PartMesh result;
     const Stopwatch watch;
     const std::vector<SolidId> solids = all_solids(b);
+    const auto most = static_cast<double>(std::max<std::size_t>(options.methods.size(), 5));
     const std::vector<std::vector<SolidId>> groups = touching_solids(b, std::span<const SolidId>(solids));
     for (const std::vector<SolidId>& group : groups) {
         const double first = static_cast<double>(result.decisions.size()) / static_cast<double>(groups.size());
         std::size_t tries = 0;
         result.decisions.push_back(decide(group, options, [&](PartMethod method, double seconds) {
-            const double share = static_cast<double>(tries++) / (5.0 * static_cast<double>(groups.size()));
+            const double share = static_cast<double>(tries++) / (most * static_cast<double>(groups.size()));
             report(options.progress, to_string(method), first + share);
             return attempt(method, std::span<const SolidId>(group), seconds);
         }));

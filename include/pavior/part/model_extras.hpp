@@ -3,13 +3,14 @@
 /// What some models know beyond the brep concept, and what stands in for it where they do not.
 
 #include <pavior/brep/brep.hpp>
+#include <pavior/math/box.hpp>
 #include <pavior/math/point.hpp>
 
 #include <Eigen/Geometry>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -60,17 +61,25 @@ template <brep B>
     if constexpr (requires { b.diagonal(); }) {
         return b.diagonal();
     } else {
-        Vec3 low = Vec3::Constant(HUGE_VAL), high = Vec3::Constant(-HUGE_VAL);
+        Box<Vec3> box;
         for (std::int32_t e = 0; e < static_cast<std::int32_t>(b.edge_count()); ++e) {
             const auto range = b.edge_range(EdgeId{e});
             for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-                const Vec3 x = b.edge_point(EdgeId{e}, range[0] + part * (range[1] - range[0]));
-                low = low.cwiseMin(x);
-                high = high.cwiseMax(x);
+                box.add(b.edge_point(EdgeId{e}, range[0] + part * (range[1] - range[0])));
             }
         }
-        return b.edge_count() > 0 ? (high - low).norm() : 0.0;
+        return box.diagonal();
     }
+}
+
+/// The faces of \p b by the numbers that users know them by.
+template <brep B>
+[[nodiscard]] std::map<int, FaceId> faces_by_tag(const B& b) {
+    std::map<int, FaceId> faces;
+    for (std::int32_t f = 0; f < static_cast<std::int32_t>(b.face_count()); ++f) {
+        faces.emplace(b.tag(2, FaceId{f}.index()), FaceId{f});
+    }
+    return faces;
 }
 
 /// The name of a face or solid in the file; empty where it has none.

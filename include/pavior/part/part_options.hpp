@@ -31,15 +31,15 @@ enum class PartMethod : std::uint8_t { submap, sweep, multi_sweep, mixed, block 
 /// Lengths are in the unit of the model, seconds are wall time. Tags are the numbers by which users of the CAD file
 /// know the entities (brep::tag).
 struct PartOptions {
-    double size = 0;                   ///< wished length of mesh edges; 0: diagonal / 12
-    std::map<int, double> edge_size;   ///< other lengths, by tag of the edge; goes before everything else
-    std::map<int, double> face_size;   ///< by tag of the face: for its edges, the smallest of the faces at an edge
-    std::map<int, double> solid_size;  ///< by tag of the solid: where no face size applies, the smallest of the solids
+    double size = 0;                        ///< wished length of mesh edges; 0: diagonal / 12
+    std::map<int, double> edge_size = {};   ///< other lengths, by tag of the edge; goes before everything else
+    std::map<int, double> face_size = {};   ///< by tag of the face: for its edges, the smallest of the faces at an edge
+    std::map<int, double> solid_size = {};  ///< by tag of the solid: where no face size applies, the smallest of these
     /// The same by the names of faces and solids in the file; each must name some. Blocks know one size only: they are
     /// refused where others are asked for.
-    std::map<std::string, double> named_size;
+    std::map<std::string, double> named_size = {};
     /// Tried in this order; empty: all, in the order of PartMethod.
-    std::vector<PartMethod> methods;
+    std::vector<PartMethod> methods = {};
     /// Nothing more is tried once a valid mesh has a least scaled Jacobian of this.
     double sufficient = 0.2;
     bool node_entities = true;  ///< fill PartMesh::entities: some evaluations of the model for each boundary node

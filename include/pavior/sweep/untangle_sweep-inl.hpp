@@ -1,6 +1,8 @@
 #pragma once
 
 #include <pavior/math/quadrilateral.hpp>
+#include <pavior/smooth/detail/cell_shape.hpp>
+#include <pavior/smooth/detail/untangle.hpp>
 #include <pavior/smooth/hexes.hpp>
 #include <pavior/sweep/untangle_sweep.hpp>
 

@@ -40,8 +40,8 @@ struct WorstFirstOptions {
 template <class Model>
 class WorstFirst {
 public:
-    WorstFirst(Model& model, std::size_t cells, PatchFinder<3>& finder, const WorstFirstOptions& options)
-        : model_(model), options_(options), finder_(finder), states_(cells) {}
+    WorstFirst(Model& model, std::size_t cells, PatchFinder<3>& finder, WorstFirstOptions options)
+        : model_(model), options_(std::move(options)), finder_(finder), states_(cells) {}
 
     /// \return iterations of the minimiser. Ends when every cell that can be better is within `gain` of the target, or
     /// the worst of them is stuck and those that are not reach `sufficient`, or the effort is spent.
@@ -201,7 +201,7 @@ private:
     }
 
     Model& model_;
-    const WorstFirstOptions& options_;
+    WorstFirstOptions options_;
     PatchFinder<3>& finder_;
     std::vector<double> quality_;
     std::vector<State> states_;
