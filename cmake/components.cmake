@@ -26,7 +26,8 @@ if(PAVIOR_BUILD_COMPILED)
   pavior_component(compiled ${units})
   target_compile_definitions(pavior_compiled PUBLIC PAVIOR_COMPILED)
   file(GLOB instances src/compiled/*.cpp)
-  set_source_files_properties(${instances} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  list(FILTER units INCLUDE REGEX "/compiled/part/") # whole methods on AnyModel: up to 1 GB each
+  set_source_files_properties(${instances} ${units} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set_target_properties(pavior_compiled PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
 endif()
 

@@ -11,6 +11,7 @@
 #include <pavior/glpk/solve_program.hpp>
 #include <pavior/io/mesh_file.hpp>
 #include <pavior/io/sweep_problem_file.hpp>
+#include <pavior/part/any_model.hpp>
 #include <pavior/part/entity_groups.hpp>
 #include <pavior/part/sweep_solids.hpp>
 #include <pavior/sweep/untangle_sweep.hpp>

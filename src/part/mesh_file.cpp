@@ -6,7 +6,9 @@
 
 #include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/core/stop.hpp>
+#include <pavior/core/stopwatch.hpp>
 #include <pavior/part/mesh_part.hpp>
+#include <pavior/part/try_method.hpp>
 
 #include <iomanip>
 #include <mutex>
@@ -23,8 +25,7 @@ MethodTry try_in_child(PartMethod method, const GmshBrep& model, std::span<const
     const Stopwatch watch;
     const auto late = [&] { return seconds > 0 && watch.total() > 0.7 * seconds; };
     const auto task = [&] {
-        auto kernels = detail::gmsh_kernels(model);
-        return detail::to_bytes(try_method(method, model, solids, options, kernels, late));
+        return detail::to_bytes(try_method(method, model, solids, options, detail::gmsh_kernels(model), late));
     };
     const detail::ChildAnswer answer = detail::run_in_child(task, seconds, options.execution.stop);
     if (answer.end == End::stopped) {
@@ -52,11 +53,9 @@ MethodTry try_in_child(PartMethod method, const GmshBrep& model, std::span<const
 }  // namespace
 
 PartMesh mesh_model(const GmshBrep& model, const PartOptions& options) {
-    check_options(options);
-    const PartOptions own = detail::with_named_sizes(model, options);
-    return detail::mesh_groups(model, own, [&](PartMethod method, std::span<const SolidId> solids, double seconds) {
-        return try_in_child(method, model, solids, own, seconds);
-    });
+    return detail::mesh_groups(model, options,
+                               [&](PartMethod method, std::span<const SolidId> solids, const PartOptions& own,
+                                   double seconds) { return try_in_child(method, model, solids, own, seconds); });
 }
 
 PartMesh mesh_file(const std::filesystem::path& file, const PartOptions& options) {

@@ -1,7 +1,7 @@
 #include "report_json.hpp"
 
-#include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/many_to_many/multi_sweep_model.hpp>
+#include <pavior/part/any_model.hpp>
 #include <pavior/part/mixed_solids.hpp>
 #include <pavior/part/sweep_solids.hpp>
 #include <pavior/submap/submap_model.hpp>
@@ -39,7 +39,7 @@ Json to_json(const SmoothReport& report) {
             {"moved_nodes", report.moved_nodes}};
 }
 
-Json to_json(const GmshBrep& model, const SweptSolids& swept) {
+Json to_json(const AnyModel& model, const SweptSolids& swept) {
     const ModelMesh& result = swept.mesh;
     const IntervalAssignment& intervals = swept.intervals;
     Json json;
@@ -56,7 +56,7 @@ Json to_json(const GmshBrep& model, const SweptSolids& swept) {
                    {"layers", solid.layers},
                    {"first_hex", solid.first_hex},
                    {"hexahedra", solid.hex_count},
-                   {"cad_volume", model.solid_volume(solid.solid)},
+                   {"cad_volume", model.solid_volume(solid.solid).value_or(0)},
                    {"sweep", to_json(solid.sweep)},
                    {"smooth", to_json(solid.smooth)}};
         if (solid.target_projection) {
@@ -78,7 +78,7 @@ Json to_json(const GmshBrep& model, const SweptSolids& swept) {
     return json;
 }
 
-Json to_json(const GmshBrep& model, const SubmappedMesh& mesh) {
+Json to_json(const AnyModel& model, const SubmappedMesh& mesh) {
     Json json{{"solids", Json::array()}};
     for (const SubmapSolidReport& solid : mesh.solids) {
         json["solids"].push_back({{"solid", model.tag(3, solid.solid.index())},
@@ -91,7 +91,7 @@ Json to_json(const GmshBrep& model, const SubmappedMesh& mesh) {
     return json;
 }
 
-Json to_json(const GmshBrep& model, const MixedSolids& mesh) {
+Json to_json(const AnyModel& model, const MixedSolids& mesh) {
     Json json{{"solids", Json::array()}};
     for (const auto& [solid, method] : mesh.methods) {
         json["solids"].push_back({{"solid", model.tag(3, solid.index())}, {"method", to_string(method)}});
@@ -114,7 +114,7 @@ Json to_json(const MultiSweepReport& report) {
             {"smooth", detail::to_json(report.smooth)}};
 }
 
-std::vector<int> tags_of(const GmshBrep& model, const EdgeChain& ribs) {
+std::vector<int> tags_of(const AnyModel& model, const EdgeChain& ribs) {
     std::vector<int> tags;
     for (const OrientedEdge& use : ribs) {
         tags.push_back(model.tag(1, use.edge.index()));
@@ -123,7 +123,7 @@ std::vector<int> tags_of(const GmshBrep& model, const EdgeChain& ribs) {
 }
 
 /// Adds what says where to sweep: a direction, an axis, or edges.
-void add_path(const GmshBrep& model, Json& json, const SweepPath& path) {
+void add_path(const AnyModel& model, Json& json, const SweepPath& path) {
     const auto list = [](const Vec3& x) {
         const Vec3 d = x + Vec3::Zero();  // no -0
         return Json{d[0], d[1], d[2]};
@@ -137,7 +137,7 @@ void add_path(const GmshBrep& model, Json& json, const SweepPath& path) {
 
 }  // namespace
 
-Json to_json(const GmshBrep& model, const BestMultiSweep& best) {
+Json to_json(const AnyModel& model, const BestMultiSweep& best) {
     Json json{{"attempts", Json::array()}};
     for (const MultiSweepAttempt& attempt : best.attempts) {
         Json entry{{"merge", attempt.merge}, {"chord", attempt.chord}};

@@ -22,7 +22,7 @@ struct SweptSolids;
 struct SubmappedMesh;
 struct BestMultiSweep;
 struct MixedSolids;
-class GmshBrep;
+class AnyModel;
 
 namespace detail {
 
@@ -32,10 +32,10 @@ namespace detail {
 [[nodiscard]] nlohmann::json to_json(const HexMeshData& data, const MeshCheck& check);
 /// Counts, sheets, violations and times of the steps.
 [[nodiscard]] nlohmann::json to_json(const BlockReference& input, const SolidBlocks& solid);
-[[nodiscard]] nlohmann::json to_json(const GmshBrep& model, const SweptSolids& swept);
-[[nodiscard]] nlohmann::json to_json(const GmshBrep& model, const SubmappedMesh& mesh);
-[[nodiscard]] nlohmann::json to_json(const GmshBrep& model, const BestMultiSweep& best);
-[[nodiscard]] nlohmann::json to_json(const GmshBrep& model, const MixedSolids& mesh);
+[[nodiscard]] nlohmann::json to_json(const AnyModel& model, const SweptSolids& swept);
+[[nodiscard]] nlohmann::json to_json(const AnyModel& model, const SubmappedMesh& mesh);
+[[nodiscard]] nlohmann::json to_json(const AnyModel& model, const BestMultiSweep& best);
+[[nodiscard]] nlohmann::json to_json(const AnyModel& model, const MixedSolids& mesh);
 
 /// Number of cells of each group {dimension, number}.
 [[nodiscard]] std::map<std::pair<int, int>, std::size_t> group_sizes(const HexMeshData& data);

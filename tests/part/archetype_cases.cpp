@@ -9,6 +9,7 @@
 #include <pavior/mesh/verify_hexes.hpp>
 #include <pavior/part/mixed_solids.hpp>
 
+#include <functional>
 #include <vector>
 
 using namespace pavior;
@@ -41,11 +42,11 @@ TEST_CASE("each solid by its own method with archetypes alone") {
     MixedOptions options;
     options.size = 0.5;
     options.min_loop = 16;
-    const MixedSolids mesh =
-        mixed_solids(model, solids, options, imprinter, solver, regions, caps, [] { return false; });
-    CHECK(mesh.methods.at(solids[0]) == SolidMethod::submap);
-    CHECK(mesh.methods.at(solids[1]) == SolidMethod::multi_sweep);
-    CHECK(mesh.methods.at(solids[2]) == SolidMethod::sweep);
+    const Kernels kernels{std::ref(imprinter), std::ref(solver), std::ref(regions), std::ref(caps), {}};
+    const MixedSolids mesh = mixed_solids(model, solids, options, kernels, [] { return false; });
+    CHECK(mesh.methods.at(solids[0]) == PartMethod::submap);
+    CHECK(mesh.methods.at(solids[1]) == PartMethod::multi_sweep);
+    CHECK(mesh.methods.at(solids[2]) == PartMethod::sweep);
     CHECK(imprinter.calls() > 0);
     CHECK(regions.calls() > 0);
     CHECK(caps.calls() > 0);

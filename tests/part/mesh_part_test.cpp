@@ -1,5 +1,6 @@
 #include <pavior/part/mesh_part.hpp>
 
+#include "support/archetypes.hpp"
 #include "support/catch.hpp"
 #include "support/grid_cap.hpp"
 #include "support/test_brep.hpp"
@@ -9,8 +10,14 @@
 #include <pavior/imprint/imprint.hpp>
 #include <pavior/part/detail/finer_sizes.hpp>
 #include <pavior/part/detail/part_text.hpp>
+#include <pavior/part/sweep_solids.hpp>
 
+#include <algorithm>
+#include <functional>
+#include <set>
 #include <stop_token>
+#include <string>
+#include <vector>
 
 using namespace pavior;
 using namespace pavior::test;
@@ -18,11 +25,11 @@ using namespace pavior::test;
 namespace {
 
 /// Kernels for a model that is no CAD file; there are no tetrahedra.
-auto kernels(const TestBrep& b) {
+Kernels kernels(const TestBrep& b) {
     const auto no_tetrahedra = [](SolidId, double, const FeatureOptions&) -> BlockReference {
         throw UnmeshableError(ErrorCode::tetrahedra_failed, "no tetrahedra here");
     };
-    return Kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, GridCap<TestBrep>{&b}, no_tetrahedra};
+    return {imprint, GlpkSolver{}, GmshRegionMesher{}, GridCap<TestBrep>{&b}, no_tetrahedra};
 }
 
 PartOptions with_size(double size) {
@@ -55,19 +62,50 @@ TEST_CASE("The method can be prescribed, and its reports are handed out") {
     add_cylinder(b, 1, 1, 2);
     PartOptions options = with_size(0.5);
     options.methods = {PartMethod::sweep};
-    std::size_t described = 0;
-    const auto none = [](SolidId, double, const FeatureOptions&) { return BlockReference{}; };
-    const auto describe = [&](std::string& text, const auto&... reports) {
-        described += sizeof...(reports);
-        text += "x";
+    std::size_t layers = 0, judged = 0;
+    Kernels own = kernels(b);
+    own.describe = [&](std::string& text, const AnyModel& model, const MethodReport& report) {
+        if (const auto* swept = std::get_if<const SweptSolids*>(&report)) {
+            layers = (*swept)->mesh.solids.at(0).layers;
+        }
+        if (const auto* mesh = std::get_if<const JudgedMesh*>(&report)) {
+            judged = (*mesh)->check.hexahedra;
+            CHECK((*mesh)->data->mesh.hexes.size() == judged);
+        }
+        text += std::to_string(model.solid_count());
     };
-    const PartMesh part = mesh_part(
-        b, options, Kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, GridCap<TestBrep>{&b}, none, describe});
+    const PartMesh part = mesh_part(b, options, own);
     REQUIRE(part.valid());
     CHECK(part.decisions[0].tries.size() == 1);
-    CHECK_FALSE(part.decisions[0].tries[0].report.empty());
-    CHECK(described >= 2);
+    CHECK(part.decisions[0].tries[0].report == "11");
+    CHECK(layers == 2);
+    CHECK(judged == part.check.hexahedra);
     CHECK(part.decisions[0].tries[0].notes.size() == 1);
+}
+
+TEST_CASE("A model and callables with nothing but what the concepts ask for") {
+    TestBrep b;
+    add_prism(b, l_shape(), 0, 1);
+    const archetype::Brep model(b);
+    const Kernels own = kernels(b);
+    archetype::Callable<PlaneArrangement(const PlaneCurves&, const ImprintOptions&)> imprinter(own.imprint);
+    archetype::Callable<IntegerSolution(const IntegerProgram&)> solver(own.solver);
+    archetype::Callable<PlaneQuadMesh(const PlaneRegion&)> regions(own.regions);
+    archetype::Callable<CapMesh(FaceId, const CapBoundary&)> caps(own.caps);
+    const Kernels bare{std::ref(imprinter), std::ref(solver), std::ref(regions), std::ref(caps), own.reference};
+    for (const PartMethod method : {PartMethod::submap, PartMethod::sweep, PartMethod::multi_sweep}) {
+        PartOptions options = with_size(0.5);
+        options.methods = {method};
+        const PartMesh part = mesh_part(model, options, bare);
+        CAPTURE(to_string(method), reason_of(part));
+        REQUIRE(part.valid());
+        CHECK(part.data.mesh.nodes == mesh_part(b, options, own).data.mesh.nodes);
+        CHECK(part.check.verify.volume == Approx(3).epsilon(1e-12));
+    }
+    CHECK(imprinter.calls() > 0);
+    CHECK(solver.calls() > 0);
+    CHECK(regions.calls() > 0);
+    CHECK(caps.calls() > 0);
 }
 
 TEST_CASE("What cannot be meshed has a reason for each method, and the faces") {

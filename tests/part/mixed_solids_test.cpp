@@ -6,6 +6,7 @@
 #include "support/dice.hpp"
 #include "support/occ_solids.hpp"
 
+#include <pavior/brep/face_distance.hpp>
 #include <pavior/cad/cap_mesh.hpp>
 #include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/cad/region_quads.hpp>
@@ -38,8 +39,8 @@ MixedSolids meshed(const GmshBrep& model, double size, Execution execution = seq
         try {
             options.size = size;
             options.min_loop = min_loop;
-            return mixed_solids(model, solids, options, imprint, solver, GmshRegionMesher{}, GmshCapMesher{&model},
-                                [] { return false; });
+            return mixed_solids(model, solids, options,
+                                {imprint, solver, GmshRegionMesher{}, GmshCapMesher{&model}, {}}, [] { return false; });
         } catch (const Error& error) {
             if (error.code() != ErrorCode::cad_failure || min_loop > 16) {
                 throw;
@@ -67,12 +68,11 @@ TEST_CASE("a plate with a blind hole, a stepped block, a bracket and a cone: eac
                      {3, occ::addCone(4.5, 4.2, 2, 0, 0, 2, 0.9, 0.6)}});
     });
     const MixedSolids mesh = meshed(model, 0.5);
-    std::vector<SolidMethod> methods;
+    std::vector<PartMethod> methods;
     for (const auto& [solid, method] : mesh.methods) {
         methods.push_back(method);
     }
-    CHECK(methods ==
-          std::vector{SolidMethod::sweep, SolidMethod::multi_sweep, SolidMethod::submap, SolidMethod::sweep});
+    CHECK(methods == std::vector{PartMethod::sweep, PartMethod::multi_sweep, PartMethod::submap, PartMethod::sweep});
     const HexReport report = verify_hexes(mesh.mesh);
     INFO(report.text());
     CHECK(report.ok());

@@ -28,7 +28,7 @@ MixedSolids meshed(const GmshBrep& model, double size) {
     MixedOptions options;
     options.size = size;
     options.min_loop = 8;
-    return mixed_solids(model, solids, options, imprint, solver, GmshRegionMesher{}, GmshCapMesher{&model},
+    return mixed_solids(model, solids, options, {imprint, solver, GmshRegionMesher{}, GmshCapMesher{&model}, {}},
                         [] { return false; });
 }
 
@@ -99,7 +99,7 @@ TEST_CASE("entities of touching CAD solids, each meshed by its own method") {
         share_faces({{3, plate}, {3, stepped}, {3, occ::addCone(4.5, 4.2, 2, 0, 0, 2, 0.9, 0.6)}});
     });
     const MixedSolids mesh = meshed(model, 0.5);
-    std::set<SolidMethod> methods;
+    std::set<PartMethod> methods;
     for (const auto& [solid, method] : mesh.methods) {
         methods.insert(method);
     }

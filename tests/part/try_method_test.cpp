@@ -6,8 +6,11 @@
 #include <pavior/core/stop.hpp>
 #include <pavior/glpk/solve_program.hpp>
 #include <pavior/imprint/imprint.hpp>
+#include <pavior/part/detail/trial.hpp>
 #include <pavior/part/try_method.hpp>
+#include <pavior/smooth/report.hpp>
 
+#include <functional>
 #include <new>
 #include <stdexcept>
 
@@ -16,12 +19,13 @@ using namespace pavior::test;
 
 namespace {
 
-template <class Caps>
-MethodTry tried(PartMethod method, const TestBrep& b, const std::vector<SolidId>& solids, Caps caps) {
+using Caps = std::function<CapMesh(FaceId, const CapBoundary&)>;
+
+MethodTry tried(PartMethod method, const TestBrep& b, const std::vector<SolidId>& solids, const Caps& caps) {
     const auto none = [](SolidId, double, const FeatureOptions&) -> BlockReference {
         throw Error(ErrorCode::tetrahedra_failed, "none");
     };
-    Kernels kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, caps, none};
+    const Kernels kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, caps, none};
     PartOptions options;
     options.size = 0.5;
     return try_method(method, b, solids, options, kernels, [] { return false; });
@@ -58,4 +62,34 @@ TEST_CASE("Whatever a kernel throws becomes the outcome, but for Stopped") {
     CHECK(logic.reason == "odd");
     CHECK(with(std::bad_alloc()).reason == "not enough memory");
     CHECK_THROWS_AS(with(Stopped()), Stopped);
+}
+
+TEST_CASE("A trial knows the wished size and describes only to those who listen") {
+    TestBrep b;
+    add_prism(b, rectangle(3, 4), 0, 12);
+    const AnyModel model = b;
+    PartOptions options;
+    Kernels kernels;
+    MethodTry result;
+    const std::function<bool()> never = [] { return false; };
+    const detail::Trial trial{model, {}, options, kernels, never, result};
+    CHECK(trial.size() == Approx(13.0 / 12));
+    options.size = 0.5;
+    CHECK(trial.size() == 0.5);
+    const SmoothReport report;
+    trial.describe(&report);
+    CHECK(result.report.empty());
+    kernels.describe = [](std::string& text, const AnyModel&, const MethodReport& own) {
+        text = std::holds_alternative<const SmoothReport*>(own) ? "smoothed" : "something else";
+    };
+    trial.describe(&report);
+    CHECK(result.report == "smoothed");
+    kernels.solver = [](const IntegerProgram&) -> IntegerSolution {
+        throw UnmeshableError(ErrorCode::bad_option, "no");
+    };
+    const std::vector<SolidId> solids = all_solids(b);
+    detail::Trial whole{model, solids, options, kernels, never, result};
+    CHECK_THROWS_AS(detail::try_submap(whole), UnmeshableError);
+    CHECK_THROWS_AS(detail::try_sweep(whole), UnmeshableError);
+    CHECK_THROWS_AS(detail::try_mixed(whole), UnmeshableError);
 }

@@ -262,7 +262,8 @@ TEST_CASE("a surface is judged by its metric") {
     auto grid = quad_grid(2, 2);
     grid.nodes[4] = {2.5, 1};
     const UntangleOptions options;
-    detail::SurfaceModel<Plane> model(Plane{}, grid.nodes, grid.quads, grid.fixed, {}, options);
+    const Plane plane;
+    detail::SurfaceModel model(plane, grid.nodes, grid.quads, grid.fixed, {}, options);
     CHECK(detail::is_inverted(model.quality(1)));
     CHECK_FALSE(model.hopeless(1));
     detail::PatchFinder<2> finder(grid.quads, grid.fixed);

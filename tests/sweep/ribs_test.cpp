@@ -3,6 +3,8 @@
 #include <pavior/mesh/cells.hpp>
 #include <pavior/sweep/ribs.hpp>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>

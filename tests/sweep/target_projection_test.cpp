@@ -3,6 +3,7 @@
 #include "sweep/surfaces.hpp"
 
 #include <pavior/mesh/boundary_loops.hpp>
+#include <pavior/sweep/folded_quads.hpp>
 #include <pavior/sweep/target_projection.hpp>
 
 #include <nlohmann/json.hpp>

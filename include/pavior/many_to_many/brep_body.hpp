@@ -5,6 +5,7 @@
 #include <pavior/core/error.hpp>
 #include <pavior/many_to_many/extruded_body.hpp>
 #include <pavior/many_to_many/extrusion.hpp>
+#include <pavior/many_to_many/local_sizes.hpp>
 
 #include <Eigen/LU>
 
@@ -20,11 +21,6 @@
 #include <vector>
 
 namespace pavior {
-
-/// Sizes by tag, as in IntervalOptions: an edge takes its own, else the smallest of its faces, else of its solids.
-struct LocalSizes {
-    std::map<int, double> edge, face, solid;
-};
 
 /// The body of some solids along one direction, and its geometry; a view of the model. Models extruded_geometry.
 template <brep B>

@@ -7,14 +7,26 @@
 #include <pavior/intervals/integer_program.hpp>
 #include <pavior/many_to_many/plane_arrangement.hpp>
 #include <pavior/many_to_many/plane_region.hpp>
+#include <pavior/mesh/grouped_mesh.hpp>
+#include <pavior/mesh/mesh_check.hpp>
 #include <pavior/mesh/tagged_mesh.hpp>
 #include <pavior/one_to_one/cap_boundary.hpp>
 
 #include <concepts>
+#include <functional>
+#include <optional>
 #include <string>
-#include <utility>
+#include <variant>
 
 namespace pavior {
+
+class AnyModel;
+struct SubmappedMesh;
+struct SweptSolids;
+struct BestMultiSweep;
+struct MixedSolids;
+struct BlockedModel;
+struct SmoothReport;
 
 /// Tetrahedra to block, and the surface that they fill.
 struct BlockReference {
@@ -31,28 +43,36 @@ concept reference_mesher = requires(M& make, SolidId solid, double size, const F
     { make(solid, size, features) } -> std::convertible_to<BlockReference>;
 };
 
-/// Says nothing about the methods' own reports.
-struct NoDescription {
-    template <class... Report>
-    void operator()(std::string& /*text*/, const Report&... /*reports*/) const {}
+/// A mesh of some solids as it was judged.
+struct JudgedMesh {
+    const HexMeshData* data;
+    MeshCheck check;
+    std::optional<double> volume;  ///< of the solids, where the model knows it
 };
+
+/// What a method says of its own work, and what follows on it; none is null.
+using MethodReport = std::variant<const SubmappedMesh*, const SweptSolids*, const BestMultiSweep*, const MixedSolids*,
+                                  const BlockedModel*, const SmoothReport*, const JudgedMesh*>;
+
+/// \name Kernels behind one type each: any plane_imprinter, integer_solver, region_mesher, cap_mesher, reference_mesher
+/// that can be copied; std::ref() of those that cannot.
+/// @{
+using PlaneImprinter = std::function<PlaneArrangement(const PlaneCurves& curves, const ImprintOptions& options)>;
+using IntegerSolver = std::function<IntegerSolution(const IntegerProgram& program)>;
+using RegionMesher = std::function<PlaneQuadMesh(const PlaneRegion& region)>;
+using CapMesher = std::function<CapMesh(FaceId face, const CapBoundary& boundary)>;
+using ReferenceMesher = std::function<BlockReference(SolidId solid, double size, const FeatureOptions& features)>;
+/// @}
 
 /// The callables that mesh a model: pavior::part has them for CAD files. All are called one at a time.
-template <plane_imprinter Imprint, integer_solver Solver, region_mesher Regions, cap_mesher Caps,
-          reference_mesher Reference, class Describe = NoDescription>
 struct Kernels {
-    Imprint imprint;      ///< curves in a plane, cut by each other
-    Solver solver;        ///< of integer programs
-    Regions regions;      ///< quads of plane regions
-    Caps caps;            ///< quads of faces
-    Reference reference;  ///< tetrahedra of a solid
-    /// describe(text, reports...) may add what it makes of a method's own reports to MethodTry::report.
-    Describe describe = {};
+    PlaneImprinter imprint;     ///< curves in a plane, cut by each other
+    IntegerSolver solver;       ///< of integer programs
+    RegionMesher regions;       ///< quads of plane regions
+    CapMesher caps;             ///< quads of faces
+    ReferenceMesher reference;  ///< tetrahedra of a solid
+    /// May add what it makes of a method's own reports to MethodTry::report; may be empty.
+    std::function<void(std::string& text, const AnyModel& model, const MethodReport& report)> describe = {};
 };
-
-template <class I, class S, class R, class C, class T>
-Kernels(I, S, R, C, T) -> Kernels<I, S, R, C, T>;
-template <class I, class S, class R, class C, class T, class D>
-Kernels(I, S, R, C, T, D) -> Kernels<I, S, R, C, T, D>;
 
 }  // namespace pavior

@@ -20,14 +20,16 @@ struct FacePlane {
     Vec3 point, normal;  ///< unit normal, the face's own
 };
 
-/// The plane of a face that b.face_kind(f) calls "Plane", through the point at b.face_interior(f); nothing for other
-/// faces and for models without these two.
+/// b.face_plane(f), or the plane of a face that b.face_kind(f) calls "Plane", through the point at b.face_interior(f);
+/// nothing for other faces and for models without these.
 template <brep B>
 [[nodiscard]] std::optional<FacePlane> plane_of(const B& b, FaceId face) {
-    if constexpr (requires {
-                      b.face_kind(face) == "Plane";
-                      b.face_interior(face);
-                  }) {
+    if constexpr (requires { b.face_plane(face); }) {
+        return b.face_plane(face);
+    } else if constexpr (requires {
+                             b.face_kind(face) == "Plane";
+                             b.face_interior(face);
+                         }) {
         if (b.face_kind(face) == "Plane") {
             const Vec2 uv = b.face_interior(face);
             const auto [du, dv] = b.face_derivatives(face, uv);

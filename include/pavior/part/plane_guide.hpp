@@ -4,6 +4,7 @@
 
 #include <pavior/mesh/boundary_quads.hpp>
 #include <pavior/mesh/grouped_mesh.hpp>
+#include <pavior/part/any_model.hpp>
 #include <pavior/part/model_extras.hpp>
 #include <pavior/smooth/node_guide.hpp>
 
@@ -22,8 +23,7 @@ namespace pavior {
 /// along it; those on vertices and curved faces are fixed. The groups of the quads are tags of faces.
 class PlaneGuide {
 public:
-    template <brep B>
-    PlaneGuide(const B& b, const HexMeshData& data) : holds_(data.mesh.nodes.size()) {
+    PlaneGuide(const AnyModel& b, const HexMeshData& data) : holds_(data.mesh.nodes.size()) {
         collect(data);
         std::map<int, std::optional<FacePlane>> planes;
         for (std::size_t f = 0; f < b.face_count(); ++f) {

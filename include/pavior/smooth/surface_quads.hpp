@@ -2,17 +2,15 @@
 /// \file
 /// Untangles and optimises quads on a parametric surface, boundary fixed.
 
-#include <pavior/math/parametric_surface.hpp>
+#include <pavior/core/compiled.hpp>
+#include <pavior/math/any_surface.hpp>
 #include <pavior/math/point.hpp>
 #include <pavior/mesh/cells.hpp>
-#include <pavior/smooth/detail/surface_model.hpp>
 #include <pavior/smooth/options.hpp>
 #include <pavior/smooth/report.hpp>
 
 #include <cstdint>
 #include <span>
-#include <utility>
-#include <vector>
 
 namespace pavior {
 
@@ -22,7 +20,7 @@ namespace pavior {
 /// skewed at will (a cylinder of radius 100 with u in radians and v in millimetres). Nodes stay on the surface.
 ///
 /// Only what needs to be moved is moved, and the result is never worse than the input, as in untangle_quads().
-/// \param surface    psi(u, v); its normal is d/du x d/dv. Called from one thread only, about 5 times per quad freed
+/// \param surface    any parametric_surface psi(u, v); its normal is d/du x d/dv. Called from one thread only, about 5 times per quad freed
 ///                   and step of epsilon. It need not be defined outside the box of the fixed nodes' parameters.
 /// \param uv         parameters of the nodes, in and out; on a periodic surface unwrapped, without a jump in a quad.
 /// \param quads      corners, counter-clockwise about the normal and so in the parameter plane; the other way round
@@ -33,28 +31,14 @@ namespace pavior {
 /// \return the report; its determinants are those in space. A quad that is folded by fixed nodes alone is reported.
 /// \throws InputError size_mismatch, bad_index, not_finite, bad_option; Stopped; what the surface throws. The
 /// parameters are as they were then.
-template <parametric_surface Surface>
-SmoothReport untangle_surface_quads(const Surface& surface, std::span<Vec2> uv, std::span<const QuadCorners> quads,
-                                    std::span<const std::uint8_t> fixed, const UntangleOptions& options = {},
-                                    std::span<const Vec3> reference_nodes = {}) {
-    detail::check_options(options);
-    detail::check_cells<2>(quads, uv.size(), fixed.size());
-    detail::check_finite<Vec2>(uv, "parameter of node");
-    detail::check_finite<Vec3>(reference_nodes, "reference node");
-    if (!reference_nodes.empty() && reference_nodes.size() != uv.size()) {
-        throw InputError(ErrorCode::size_mismatch, "the reference must have one node per node of the mesh, or none");
-    }
-    std::vector<QuadCorners> turned;
-    if (options.reversed) {
-        turned.assign(quads.begin(), quads.end());
-        for (QuadCorners& corners : turned) {
-            std::swap(corners[1], corners[3]);
-        }
-        quads = turned;
-    }
-    detail::SurfaceModel<Surface> model(surface, uv, quads, fixed, reference_nodes, options);
-    return detail::done_or_undone(
-        uv, [&] { return detail::Untangler<2, detail::SurfaceModel<Surface>>(model, quads, fixed, options).run(); });
-}
+PAVIOR_INLINE SmoothReport untangle_surface_quads(const AnySurface& surface, std::span<Vec2> uv,
+                                                  std::span<const QuadCorners> quads,
+                                                  std::span<const std::uint8_t> fixed,
+                                                  const UntangleOptions& options = {},
+                                                  std::span<const Vec3> reference_nodes = {});
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/smooth/surface_quads-inl.hpp>
+#endif

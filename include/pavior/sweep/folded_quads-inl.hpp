@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace pavior {
@@ -29,6 +30,54 @@ PAVIOR_INLINE std::vector<Index> folded_plane_quads(std::span<const Vec2> uv, st
             area = reversed ? -area : area;
         }
         if (detail::folded(x, areas)) {
+            ids.push_back(static_cast<Index>(q));
+        }
+    }
+    return ids;
+}
+
+namespace detail {
+
+/// du x dv of length 1; null where the parametrisation is singular.
+[[nodiscard]] inline Vec3 unit_surface_normal(const AnySurface& surface, const Vec2& uv) {
+    const std::pair<Vec3, Vec3> d = surface.derivatives(uv);
+    const Vec3 du = d.first;
+    const Vec3 dv = d.second;
+    const Vec3 normal = du.cross(dv);
+    const double length = normal.norm();
+    return length > 1e-12 * du.norm() * dv.norm() ? Vec3(normal / length) : Vec3(Vec3::Zero());
+}
+
+/// The normal in the middle of a quad, its corners' where the middle is singular; null if there is none.
+[[nodiscard]] inline Vec3 quad_surface_normal(const AnySurface& surface, const std::array<Vec2, 4>& uv) {
+    Vec3 normal = unit_surface_normal(surface, 0.25 * (uv[0] + uv[1] + uv[2] + uv[3]));
+    if (normal == Vec3::Zero()) {
+        for (const Vec2& p : uv) {
+            normal += unit_surface_normal(surface, p);
+        }
+    }
+    const double length = normal.norm();
+    return length > 0.0 ? Vec3(normal / length) : normal;
+}
+
+}  // namespace detail
+
+PAVIOR_INLINE std::vector<Index> folded_surface_quads(const AnySurface& surface, std::span<const Vec3> nodes,
+                                                      std::span<const Vec2> uv, std::span<const QuadCorners> quads,
+                                                      bool reversed) {
+    std::vector<Index> ids;
+    for (std::size_t q = 0; q < quads.size(); ++q) {
+        const QuadPoints2 in_plane = detail::gather(uv, quads[q]);
+        Vec3 normal = detail::quad_surface_normal(surface, in_plane);
+        normal = reversed ? Vec3(-normal) : normal;
+        bool folded = false;
+        if (normal == Vec3::Zero()) {
+            folded = !folded_plane_quads(uv, quads.subspan(q, 1), reversed).empty();
+        } else {
+            const QuadPoints x = detail::gather(nodes, quads[q]);
+            folded = detail::folded(x, quad_corner_areas(x, normal));
+        }
+        if (folded) {
             ids.push_back(static_cast<Index>(q));
         }
     }

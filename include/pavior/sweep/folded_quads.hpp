@@ -3,7 +3,7 @@
 /// Folded quads of a mesh on a parametric surface, in a parameter plane, or on a structured grid in space.
 
 #include <pavior/core/compiled.hpp>
-#include <pavior/math/parametric_surface.hpp>
+#include <pavior/math/any_surface.hpp>
 #include <pavior/math/point.hpp>
 #include <pavior/math/quadrilateral.hpp>
 #include <pavior/mesh/cells.hpp>
@@ -40,30 +40,6 @@ template <class P>
     return {nodes[q[0]], nodes[q[1]], nodes[q[2]], nodes[q[3]]};
 }
 
-/// du x dv of length 1; null where the parametrisation is singular.
-template <parametric_surface S>
-[[nodiscard]] Vec3 unit_surface_normal(const S& surface, const Vec2& uv) {
-    const std::pair<Vec3, Vec3> d = surface.derivatives(uv);
-    const Vec3 du = d.first;
-    const Vec3 dv = d.second;
-    const Vec3 normal = du.cross(dv);
-    const double length = normal.norm();
-    return length > 1e-12 * du.norm() * dv.norm() ? Vec3(normal / length) : Vec3(Vec3::Zero());
-}
-
-/// The normal in the middle of a quad, its corners' where the middle is singular; null if there is none.
-template <parametric_surface S>
-[[nodiscard]] Vec3 quad_surface_normal(const S& surface, const std::array<Vec2, 4>& uv) {
-    Vec3 normal = unit_surface_normal(surface, 0.25 * (uv[0] + uv[1] + uv[2] + uv[3]));
-    if (normal == Vec3::Zero()) {
-        for (const Vec2& p : uv) {
-            normal += unit_surface_normal(surface, p);
-        }
-    }
-    const double length = normal.norm();
-    return length > 0.0 ? Vec3(normal / length) : normal;
-}
-
 }  // namespace detail
 
 /// Signed area of a closed polygon, positive if it runs counter-clockwise. O(n).
@@ -78,28 +54,11 @@ template <parametric_surface S>
 /// side if \p reversed). Where the surface has no normal the parameter plane decides.
 /// \param nodes positions of the nodes, those of \p uv on the surface
 /// O(quads), one evaluation of derivatives each.
-template <parametric_surface S>
-[[nodiscard]] std::vector<Index> folded_surface_quads(const S& surface, std::span<const Vec3> nodes,
-                                                      std::span<const Vec2> uv, std::span<const QuadCorners> quads,
-                                                      bool reversed = false) {
-    std::vector<Index> ids;
-    for (std::size_t q = 0; q < quads.size(); ++q) {
-        const QuadPoints2 in_plane = detail::gather(uv, quads[q]);
-        Vec3 normal = detail::quad_surface_normal(surface, in_plane);
-        normal = reversed ? Vec3(-normal) : normal;
-        bool folded = false;
-        if (normal == Vec3::Zero()) {
-            folded = !folded_plane_quads(uv, quads.subspan(q, 1), reversed).empty();
-        } else {
-            const QuadPoints x = detail::gather(nodes, quads[q]);
-            folded = detail::folded(x, quad_corner_areas(x, normal));
-        }
-        if (folded) {
-            ids.push_back(static_cast<Index>(q));
-        }
-    }
-    return ids;
-}
+[[nodiscard]] PAVIOR_INLINE std::vector<Index> folded_surface_quads(const AnySurface& surface,
+                                                                    std::span<const Vec3> nodes,
+                                                                    std::span<const Vec2> uv,
+                                                                    std::span<const QuadCorners> quads,
+                                                                    bool reversed = false);
 
 /// Ids of the quads of a grid in space that fold as far as one can tell without a surface: a corner is inverted as seen
 /// from the quad's own normal, or that normal is nearly opposite to those of all its neighbours. O(quads).

@@ -2,7 +2,7 @@
 /// \file
 /// Untangling where the nodes move in the parameter plane of a surface.
 
-#include <pavior/math/parametric_surface.hpp>
+#include <pavior/math/any_surface.hpp>
 #include <pavior/math/point.hpp>
 #include <pavior/smooth/detail/cell_energy.hpp>
 #include <pavior/smooth/detail/foldover.hpp>
@@ -51,10 +51,9 @@ private:
 };
 
 /// The smoothing_model of quads on a surface.
-template <parametric_surface Surface>
 class SurfaceModel {
 public:
-    SurfaceModel(const Surface& surface, std::span<Vec2> uv, std::span<const QuadCorners> quads,
+    SurfaceModel(const AnySurface& surface, std::span<Vec2> uv, std::span<const QuadCorners> quads,
                  std::span<const std::uint8_t> fixed, std::span<const Vec3> reference, const UntangleOptions& options)
         : surface_(surface), uv_(uv), quads_(quads), fixed_(fixed), reference_(reference), options_(options) {
         points_.reserve(uv.size());
@@ -306,7 +305,7 @@ private:
         energy.set_ideal(std::move(ideal), std::move(weight));
     }
 
-    const Surface& surface_;
+    AnySurface surface_;
     std::span<Vec2> uv_;
     std::span<const QuadCorners> quads_;
     std::span<const std::uint8_t> fixed_;

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <pavior/part/detail/finer_sizes.hpp>
+#include <pavior/part/detail/part_text.hpp>
+#include <pavior/part/detail/trial.hpp>
+#include <pavior/part/entity_groups.hpp>
+#include <pavior/part/mixed_solids.hpp>
+#include <pavior/part/multi_sweep_solids.hpp>
+#include <pavior/part/sweep_solids.hpp>
+#include <pavior/submap/submap_model.hpp>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pavior::detail {
+
+[[nodiscard]] inline IntervalOptions wishes_of(const Trial& trial) {
+    IntervalOptions wishes;
+    wishes.size = trial.size();
+    wishes.edge_size = trial.options.edge_size;
+    wishes.face_size = trial.options.face_size;
+    wishes.solid_size = trial.options.solid_size;
+    return wishes;
+}
+
+[[nodiscard]] inline LocalSizes local_sizes(const Trial& trial) {
+    return {trial.options.edge_size, trial.options.face_size, trial.options.solid_size};
+}
+
+PAVIOR_INLINE void try_submap(Trial& trial) {
+    SubmappedMesh mesh = submap_model(trial.model, trial.solids, wishes_of(trial), trial.kernels.solver);
+    trial.describe(&mesh);
+    for (const SubmapSolidReport& solid : mesh.solids) {
+        trial.result.notes.push_back(note_of(solid));
+    }
+    trial.result.data = grouped(trial.model, trial.solids, std::move(mesh));
+}
+
+PAVIOR_INLINE void try_sweep(Trial& trial) {
+    const AnyModel& model = trial.model;
+    SweepSolidsOptions own;
+    own.intervals = wishes_of(trial);
+    own.sweep.solid.sweep.execution = trial.options.execution;
+    SweptSolids swept = sweep_solids(model, trial.solids, own, trial.kernels.solver, trial.kernels.caps);
+    trial.describe(&swept);
+    trial.result.warnings = std::move(swept.warnings);
+    for (const SolidReport& solid : swept.mesh.solids) {
+        trial.result.notes.push_back("from face " + std::to_string(model.tag(2, solid.source.index())) + " to face " +
+                                     std::to_string(model.tag(2, solid.target.index())) + " in " +
+                                     std::to_string(solid.layers) + " layers");
+    }
+    trial.result.data = grouped(model, trial.solids, std::move(swept.mesh));
+}
+
+PAVIOR_INLINE void try_multi_sweep(Trial& trial) {
+    const AnyModel& model = trial.model;
+    MultiSweepOptions own;
+    own.size = trial.size();
+    own.execution = trial.options.execution;
+    BestMultiSweep best =
+        multi_sweep_solids(model, trial.solids, own, trial.kernels, trial.out_of_time, local_sizes(trial));
+    trial.describe(&best);
+    for (const MultiSweepAttempt& attempt : best.attempts) {
+        std::vector<int> edges;
+        for (const OrientedEdge& use : attempt.path.ribs) {
+            edges.push_back(model.tag(1, use.edge.index()));
+        }
+        trial.result.notes.push_back(note_of(attempt, edges));
+    }
+    if (!best.mesh) {
+        throw no_mesh_error(best);
+    }
+    trial.result.data = grouped(model, trial.solids, std::move(*best.mesh));
+}
+
+PAVIOR_INLINE void try_mixed(Trial& trial) {
+    const AnyModel& model = trial.model;
+    MixedOptions own;
+    own.execution = trial.options.execution;
+    own.sizes = local_sizes(trial);
+    MixedSolids mesh;
+    with_finer_sizes(trial.size(), trial.result.warnings, [&](double size, int min_loop) {
+        own.size = size;
+        own.min_loop = min_loop;
+        mesh = mixed_solids(model, trial.solids, own, trial.kernels, trial.out_of_time);
+    });
+    trial.describe(&mesh);
+    for (const auto& [solid, method] : mesh.methods) {
+        trial.result.notes.push_back("solid " + std::to_string(model.tag(3, solid.index())) + ": " +
+                                     std::string(to_string(method)));
+    }
+    trial.result.data = grouped(model, trial.solids, std::move(mesh));
+}
+
+}  // namespace pavior::detail

@@ -1,0 +1,43 @@
+#include "gmsh_kernels.hpp"
+
+#include "../report/report_json.hpp"
+
+#include <pavior/cad/cap_mesh.hpp>
+#include <pavior/cad/region_quads.hpp>
+#include <pavior/glpk/solve_program.hpp>
+#include <pavior/imprint/imprint.hpp>
+#include <pavior/part/any_model.hpp>
+#include <pavior/part/block_model.hpp>
+
+namespace pavior::detail {
+
+namespace {
+
+nlohmann::json described(const AnyModel& /*model*/, const BlockedModel& blocked) {
+    return to_json(blocked.reference, blocked.blocks);
+}
+nlohmann::json described(const AnyModel& /*model*/, const SmoothReport& report) {
+    return {{"improvement", to_json(report)}};
+}
+nlohmann::json described(const AnyModel& /*model*/, const JudgedMesh& judged) {
+    return {{"mesh", to_json(*judged.data, judged.check)}, {"cad_volume", judged.volume.value_or(0)}};
+}
+template <class Report>
+nlohmann::json described(const AnyModel& model, const Report& report) {
+    return to_json(model, report);
+}
+
+}  // namespace
+
+void describe(std::string& text, const AnyModel& model, const MethodReport& report) {
+    nlohmann::json json = text.empty() ? nlohmann::json::object() : nlohmann::json::parse(text);
+    std::visit([&](const auto* own) { json.update(described(model, *own)); }, report);
+    text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+Kernels gmsh_kernels(const GmshBrep& model) {
+    return {imprint, GlpkSolver{{10, {}}}, GmshRegionMesher{}, GmshCapMesher{&model}, GmshReferenceMesher{&model},
+            describe};
+}
+
+}  // namespace pavior::detail
