@@ -8,6 +8,7 @@
 #include <pavior/many_to_many/multi_sweep.hpp>
 #include <pavior/many_to_many/multi_sweep_model.hpp>
 
+#include <functional>
 #include <vector>
 
 using namespace pavior;
@@ -15,16 +16,16 @@ using namespace pavior::test;
 
 namespace {
 
-using Solver = archetype::Callable<IntegerSolution(const IntegerProgram&)>;
-using Imprinter = archetype::Callable<PlaneArrangement(const PlaneCurves&, const ImprintOptions&)>;
-using RegionMesher = archetype::Callable<PlaneQuadMesh(const PlaneRegion&)>;
-static_assert(integer_solver<Solver> && plane_imprinter<Imprinter&> && region_mesher<RegionMesher&>);
+using SolverType = archetype::Callable<IntegerSolution(const IntegerProgram&)>;
+using ImprinterType = archetype::Callable<PlaneArrangement(const PlaneCurves&, const ImprintOptions&)>;
+using MesherType = archetype::Callable<PlaneQuadMesh(const PlaneRegion&)>;
+static_assert(integer_solver<SolverType> && plane_imprinter<ImprinterType&> && region_mesher<MesherType&>);
 static_assert(extruded_geometry<archetype::Geometry<PolygonBody>>);
 
-struct Kernels {
-    Imprinter imprinter{imprint};
-    Solver solver{solved};
-    RegionMesher mesher{GmshRegionMesher{}};
+struct Archetypes {
+    ImprinterType imprinter{imprint};
+    SolverType solver{solved};
+    MesherType mesher{GmshRegionMesher{}};
 };
 
 }  // namespace
@@ -34,9 +35,10 @@ TEST_CASE("a body of polygons is swept with archetypes alone") {
                             top(2, {box(0, 0, 3, 4), disc(2, 2, 1)})});
     MultiSweepOptions options;
     options.size = 0.7;
-    Kernels kernels;
+    Archetypes kernels;
     const MultiSweepMesh mesh =
-        multi_sweep(body.body(), archetype::Geometry(body), options, kernels.imprinter, kernels.solver, kernels.mesher);
+        multi_sweep(body.body(), archetype::Geometry(body), options, std::ref(kernels.imprinter),
+                    std::ref(kernels.solver), std::ref(kernels.mesher));
     const MultiSweepMesh expected = multi_sweep(body.body(), body, options, imprint, solved, GmshRegionMesher{});
     CHECK(mesh.mesh.nodes == expected.mesh.nodes);
     CHECK(mesh.mesh.hexes == expected.mesh.hexes);
@@ -55,7 +57,7 @@ TEST_CASE("a model is swept with archetypes alone, or refused") {
         const std::vector<SolidId> solids{SolidId{0}};
         MultiSweepOptions options;
         options.size = 0.5;
-        Kernels kernels;
+        Archetypes kernels;
         return best_multi_sweep(model, solids, options, kernels.imprinter, kernels.solver, kernels.mesher,
                                 [] { return false; });
     };

@@ -22,7 +22,7 @@ std::vector<Vec3> placed(const std::vector<PolygonCap>& caps, const PolygonBodyO
     const CapLevels levels =
         solve_level_program(body.body(), body, plane, stacks, size, LevelTolerance{1e-6, 1e-6}, solved);
     detail::LayeredHexBuilder columns(body.body(), plane, quads, stacks, levels);
-    detail::LayeredNodePlacer<PolygonBody>(body.body(), body, plane, stacks, quads, levels, columns).place(1e-9);
+    detail::LayeredNodePlacer(body.body(), body, plane, stacks, quads, levels, columns).place(1e-9);
     return columns.result().mesh.nodes;
 }
 

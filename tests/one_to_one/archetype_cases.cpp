@@ -15,17 +15,17 @@ using namespace pavior;
 using namespace pavior::test;
 
 namespace {
-using Solver = archetype::Callable<IntegerSolution(const IntegerProgram&)>;
-using CapMesher = archetype::Callable<CapMesh(FaceId, const CapBoundary&)>;
-static_assert(integer_solver<Solver> && cap_mesher<CapMesher&>);
+using SolverType = archetype::Callable<IntegerSolution(const IntegerProgram&)>;
+using MesherType = archetype::Callable<CapMesh(FaceId, const CapBoundary&)>;
+static_assert(integer_solver<SolverType> && cap_mesher<MesherType&>);
 }  // namespace
 
 TEST_CASE("recognition, intervals and a sweep need nothing but the concepts") {
     TestBrep b;
     add_prism(b, rectangle(2, 1), 0, 3, {}, 2);
     const archetype::Brep model(b);
-    Solver solver([](const IntegerProgram& program) { return solve(program); });
-    CapMesher mesher(GridCap<TestBrep>{&b});
+    SolverType solver([](const IntegerProgram& program) { return solve(program); });
+    MesherType mesher(GridCap<TestBrep>{&b});
     IntervalOptions options;
     options.size = 0.5;
     const std::vector<SweepTopology> sweeps{sweep_between(model, SolidId{0}, FaceId{0}, FaceId{1})};
@@ -51,7 +51,7 @@ TEST_CASE("intervals that contradict each other are told from an archetype of a 
         return result;
     };
     system.rules = {rule({{0, 1}, {1, -1}}, 0), rule({{0, 1}}, 2), rule({{1, 1}}, 4)};
-    Solver solver([](const IntegerProgram& program) { return solve(program); });
+    SolverType solver([](const IntegerProgram& program) { return solve(program); });
     CHECK(conflicting_rules(system, {0, 1, 2}, solver) == std::vector<std::size_t>{0, 1, 2});
     CHECK(solver.calls() > 0);
 }

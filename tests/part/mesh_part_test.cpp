@@ -78,14 +78,14 @@ TEST_CASE("The method can be prescribed, and its reports are handed out") {
     REQUIRE(part.valid());
     CHECK(part.decisions[0].tries.size() == 1);
     CHECK(part.decisions[0].tries[0].report == "11");
-    CHECK(layers == 2);
+    CHECK(layers == 4);
     CHECK(judged == part.check.hexahedra);
     CHECK(part.decisions[0].tries[0].notes.size() == 1);
 }
 
 TEST_CASE("A model and callables with nothing but what the concepts ask for") {
     TestBrep b;
-    add_prism(b, l_shape(), 0, 1);
+    add_prism(b, rectangle(2, 1.5), 0, 1);
     const archetype::Brep model(b);
     const Kernels own = kernels(b);
     archetype::Callable<PlaneArrangement(const PlaneCurves&, const ImprintOptions&)> imprinter(own.imprint);

@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -70,5 +71,8 @@ template <class S>
 concept integer_solver = requires(S& solver, const IntegerProgram& program) {
     { solver(program) } -> std::convertible_to<IntegerSolution>;
 };
+
+/// Any integer_solver that can be copied, behind one type; std::ref() of one that cannot.
+using IntegerSolver = std::function<IntegerSolution(const IntegerProgram& program)>;
 
 }  // namespace pavior

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/many_to_many/column_heights.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -23,6 +25,76 @@ PAVIOR_INLINE std::size_t ColumnNodes::number() {
 
 namespace detail {
 
+PAVIOR_INLINE void extend_heights(std::span<const Vec2> plane, std::span<const QuadCorners> quads, double tolerance,
+                                  const std::function<std::optional<double>(Index p)>& known,
+                                  const std::function<void(Index p, double height)>& extend) {
+    std::vector<Index> local(plane.size(), no_index);
+    std::vector<Index> nodes;
+    std::vector<std::pair<Index, Index>> edges;
+    for (const QuadCorners& quad : quads) {
+        for (const Index p : quad) {
+            if (local[p] == no_index) {
+                local[p] = static_cast<Index>(nodes.size());
+                nodes.push_back(p);
+            }
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            edges.push_back(std::minmax(local[quad[k]], local[quad[(k + 1) % 4]]));
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    DisjointSets parts(nodes.size());
+    for (const auto& [a, b] : edges) {
+        parts.unite(a, b);
+    }
+    constexpr std::int64_t unreached = std::numeric_limits<std::int64_t>::max();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::vector<double> height(nodes.size(), infinity);
+    std::vector<double> low(nodes.size(), infinity);
+    std::vector<double> high(nodes.size(), -infinity);
+    for (Index i = 0; i < nodes.size(); ++i) {
+        if (const auto at = known(nodes[i])) {
+            height[i] = *at;
+            low[parts.root(i)] = std::min(low[parts.root(i)], *at);
+            high[parts.root(i)] = std::max(high[parts.root(i)], *at);
+        }
+    }
+    std::vector<std::int64_t> number(nodes.size(), unreached);
+    std::int64_t unknowns = 0, given = 0;
+    std::vector<double> given_height;
+    for (Index i = 0; i < nodes.size(); ++i) {
+        const Index r = parts.root(i);
+        if (height[i] != infinity) {
+            number[i] = -1 - given++;
+            given_height.push_back(height[i]);
+        } else if (low[r] <= high[r]) {
+            if (high[r] - low[r] <= tolerance) {
+                extend(nodes[i], 0.5 * (low[r] + high[r]));
+            } else {
+                number[i] = unknowns++;
+            }
+        }
+    }
+    if (unknowns == 0) {
+        return;
+    }
+    std::vector<GraphLaplacian::Edge> weighted;
+    for (const auto& [a, b] : edges) {
+        if (number[a] != unreached && number[b] != unreached) {
+            weighted.push_back(
+                {number[a], number[b], 1 / std::max(1e-300, (plane[nodes[a]] - plane[nodes[b]]).norm())});
+        }
+    }
+    const Eigen::VectorXd solution =
+        GraphLaplacian(unknowns, given, weighted).solve(Eigen::Map<const Eigen::VectorXd>(given_height.data(), given));
+    for (Index i = 0; i < nodes.size(); ++i) {
+        if (number[i] >= 0 && number[i] != unreached) {
+            extend(nodes[i], solution[number[i]]);
+        }
+    }
+}
+
 PAVIOR_INLINE InnerLaplace::InnerLaplace(std::span<const Vec2> plane, std::span<const QuadCorners> quads,
                                          std::size_t given)
     : inner_(plane.size() - given) {
@@ -34,35 +106,22 @@ PAVIOR_INLINE InnerLaplace::InnerLaplace(std::span<const Vec2> plane, std::span<
     }
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    std::vector<Eigen::Triplet<double>> entries;
-    std::vector<Eigen::Triplet<double>> coupling;
-    for (const auto& edge : edges) {
-        const double weight = 1 / std::max(1e-300, (plane[edge.first] - plane[edge.second]).norm());
-        for (const auto& [i, j] : {edge, std::pair(edge.second, edge.first)}) {
-            if (i < given) {
-                continue;
-            }
-            const auto row = static_cast<int>(i - given);
-            entries.emplace_back(row, row, weight);
-            if (j >= given) {
-                entries.emplace_back(row, static_cast<int>(j - given), -weight);
-            } else {
-                coupling.emplace_back(row, static_cast<int>(j), weight);
-            }
-        }
+    const auto number = [&](Index i) {
+        return i < given ? -1 - static_cast<std::int64_t>(i) : static_cast<std::int64_t>(i - given);
+    };
+    std::vector<GraphLaplacian::Edge> weighted;
+    for (const auto& [a, b] : edges) {
+        weighted.push_back({number(a), number(b), 1 / std::max(1e-300, (plane[a] - plane[b]).norm())});
     }
-    Eigen::SparseMatrix<double> matrix(static_cast<Eigen::Index>(inner_), static_cast<Eigen::Index>(inner_));
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    coupling_.resize(static_cast<Eigen::Index>(inner_), static_cast<Eigen::Index>(given));
-    coupling_.setFromTriplets(coupling.begin(), coupling.end());
-    solver_.compute(matrix);
+    laplacian_ = GraphLaplacian(static_cast<std::int64_t>(inner_), static_cast<std::int64_t>(given), weighted);
 }
 
 PAVIOR_INLINE Eigen::MatrixX2d InnerLaplace::solve(const Eigen::MatrixX2d& given) const {
-    if (inner_ == 0) {
-        return Eigen::MatrixX2d(0, 2);
+    Eigen::MatrixX2d result(static_cast<Eigen::Index>(inner_), 2);
+    for (const Eigen::Index c : {0, 1}) {
+        result.col(c) = laplacian_.solve(given.col(c));
     }
-    return solver_.solve(coupling_ * given);
+    return result;
 }
 
 PAVIOR_INLINE void fill_column(Index plane_node, std::size_t first, std::size_t last, const ColumnNodes& nodes,

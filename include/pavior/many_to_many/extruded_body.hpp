@@ -61,4 +61,28 @@ concept extruded_geometry = requires(const G& g, Index id, const Vec2& at) {
     { g.cap_height(id, at) } -> std::convertible_to<double>;
 };
 
+/// A view of any extruded_geometry, to which it keeps a reference; models extruded_geometry. A call costs what the
+/// geometry takes and an indirect call.
+class AnyExtrudedGeometry {
+public:
+    template <class G>
+    requires(!std::same_as<G, AnyExtrudedGeometry> && extruded_geometry<G>)
+        AnyExtrudedGeometry(const G& geometry)  // NOLINT: a geometry is passed as it is
+        : geometry_(&geometry),
+          curve_point_([](const void* g, Index id, const Vec2& near) -> Vec3 {
+              return static_cast<const G*>(g)->curve_point(id, near);
+          }),
+          cap_height_([](const void* g, Index id, const Vec2& at) -> double {
+              return static_cast<const G*>(g)->cap_height(id, at);
+          }) {}
+
+    [[nodiscard]] Vec3 curve_point(Index curve, const Vec2& near) const { return curve_point_(geometry_, curve, near); }
+    [[nodiscard]] double cap_height(Index cap, const Vec2& at) const { return cap_height_(geometry_, cap, at); }
+
+private:
+    const void* geometry_;
+    Vec3 (*curve_point_)(const void*, Index, const Vec2&);
+    double (*cap_height_)(const void*, Index, const Vec2&);
+};
+
 }  // namespace pavior

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -50,7 +51,8 @@ template <brep B, plane_imprinter I, integer_solver Solver, region_mesher M>
     if (body.body().caps.empty()) {
         throw UnmeshableError(ErrorCode::not_sweepable, "no face is a cap");
     }
-    MultiSweepMesh swept = multi_sweep(body.body(), body, options, imprint, solver, mesher);
+    MultiSweepMesh swept =
+        multi_sweep(body.body(), body, options, std::ref(imprint), std::ref(solver), std::ref(mesher));
     MultiSweptModel result;
     result.mesh = std::move(swept.mesh);
     result.quads = std::move(swept.quads);

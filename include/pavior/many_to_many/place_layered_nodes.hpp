@@ -5,7 +5,7 @@
 #include <pavior/core/error.hpp>
 #include <pavior/many_to_many/caps_over_cells.hpp>
 #include <pavior/many_to_many/column_heights.hpp>
-#include <pavior/many_to_many/layered_hexes.hpp>
+#include <pavior/many_to_many/detail/layered_hex_builder.hpp>
 #include <pavior/many_to_many/level_program.hpp>
 #include <pavior/many_to_many/plane_mesh.hpp>
 
@@ -19,12 +19,11 @@
 namespace pavior::detail {
 
 /// Puts nodes on the caps, curves and vertices of a body, and all others between them.
-template <extruded_geometry G>
 class LayeredNodePlacer {
 public:
-    LayeredNodePlacer(const ExtrudedBody& body, const G& geometry, const PlaneArrangement& arrangement,
-                      const std::vector<CapsOverCell>& stacks, const PlaneMesh& plane, const CapLevels& levels,
-                      LayeredHexBuilder& columns)
+    LayeredNodePlacer(const ExtrudedBody& body, const AnyExtrudedGeometry& geometry,
+                      const PlaneArrangement& arrangement, const std::vector<CapsOverCell>& stacks,
+                      const PlaneMesh& plane, const CapLevels& levels, LayeredHexBuilder& columns)
         : body_(body),
           geometry_(geometry),
           arrangement_(arrangement),
@@ -64,7 +63,7 @@ private:
                     for (const Index p : plane_.quads[q]) {
                         const Index node = id(p, levels_.caps[c]);
                         if (how_[node] == NodePlace::none) {
-                            const Vec2 at = places_[node].template head<2>();
+                            const Vec2 at = places_[node].head<2>();
                             put(node, {at[0], at[1], geometry_.cap_height(c, at)}, NodePlace::cap);
                         }
                     }
@@ -129,7 +128,7 @@ private:
             shift.setZero();
             for (Index p = 0; p < plane_.edge_nodes; ++p) {
                 if (const Index node = columns_.nodes()(p, level); node != no_index) {
-                    shift.row(p) = (places_[node].template head<2>() - plane_.nodes[p]).transpose();
+                    shift.row(p) = (places_[node].head<2>() - plane_.nodes[p]).transpose();
                 }
             }
             if (shift.cwiseAbs().maxCoeff() <= tolerance) {
@@ -139,7 +138,7 @@ private:
             for (auto p = static_cast<Index>(plane_.edge_nodes); p < plane_.nodes.size(); ++p) {
                 if (const Index node = columns_.nodes()(p, level); node != no_index) {
                     const auto row = static_cast<Eigen::Index>(p - plane_.edge_nodes);
-                    places_[node].template head<2>() += inner.row(row).transpose();
+                    places_[node].head<2>() += inner.row(row).transpose();
                 }
             }
         }
@@ -152,17 +151,17 @@ private:
         std::optional<std::size_t> below;
         for (std::size_t level = first; level <= last; ++level) {
             if (how_[node(level)] < NodePlace::exact) {
-                const Vec2 at = below ? Vec2(places_[node(*below)].template head<2>()) : plane_.nodes[p];
-                places_[node(level)].template head<2>() = at;
+                const Vec2 at = below ? Vec2(places_[node(*below)].head<2>()) : plane_.nodes[p];
+                places_[node(level)].head<2>() = at;
                 continue;
             }
-            const Vec2 to = places_[node(level)].template head<2>();
+            const Vec2 to = places_[node(level)].head<2>();
             farthest = std::max(farthest, (to - plane_.nodes[p]).norm());
             const std::size_t start = below.value_or(first);
-            const Vec2 from = below ? Vec2(places_[node(*below)].template head<2>()) : to;
+            const Vec2 from = below ? Vec2(places_[node(*below)].head<2>()) : to;
             for (std::size_t k = below ? start + 1 : start; k < level; ++k) {
                 const double t = static_cast<double>(k - start) / static_cast<double>(level - start);
-                places_[node(k)].template head<2>() = (1 - t) * from + t * to;
+                places_[node(k)].head<2>() = (1 - t) * from + t * to;
             }
             below = level;
         }
@@ -216,7 +215,7 @@ private:
     }
 
     const ExtrudedBody& body_;
-    const G& geometry_;
+    const AnyExtrudedGeometry& geometry_;
     const PlaneArrangement& arrangement_;
     const std::vector<CapsOverCell>& stacks_;
     const PlaneMesh& plane_;

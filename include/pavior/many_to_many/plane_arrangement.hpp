@@ -9,6 +9,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -76,5 +77,8 @@ template <class F>
 concept plane_imprinter = requires(F&& f, const PlaneCurves& curves, const ImprintOptions& options) {
     { f(curves, options) } -> std::convertible_to<PlaneArrangement>;
 };
+
+/// Any plane_imprinter that can be copied, behind one type; std::ref() of one that cannot.
+using PlaneImprinter = std::function<PlaneArrangement(const PlaneCurves& curves, const ImprintOptions& options)>;
 
 }  // namespace pavior

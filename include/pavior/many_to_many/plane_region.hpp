@@ -7,6 +7,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace pavior {
@@ -35,5 +36,8 @@ template <class F>
 concept region_mesher = requires(F&& f, const PlaneRegion& region) {
     { f(region) } -> std::convertible_to<PlaneQuadMesh>;
 };
+
+/// Any region_mesher that can be copied, behind one type; std::ref() of one that cannot.
+using RegionMesher = std::function<PlaneQuadMesh(const PlaneRegion& region)>;
 
 }  // namespace pavior

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -43,6 +44,9 @@ template <class M>
 concept cap_mesher = requires(M&& m, FaceId face, const CapBoundary& boundary) {
     { m(face, boundary) } -> std::convertible_to<CapMesh>;
 };
+
+/// Any cap_mesher that can be copied, behind one type; std::ref() of one that cannot.
+using CapMesher = std::function<CapMesh(FaceId face, const CapBoundary& boundary)>;
 
 namespace detail {
 

@@ -54,15 +54,8 @@ struct JudgedMesh {
 using MethodReport = std::variant<const SubmappedMesh*, const SweptSolids*, const BestMultiSweep*, const MixedSolids*,
                                   const BlockedModel*, const SmoothReport*, const JudgedMesh*>;
 
-/// \name Kernels behind one type each: any plane_imprinter, integer_solver, region_mesher, cap_mesher, reference_mesher
-/// that can be copied; std::ref() of those that cannot.
-/// @{
-using PlaneImprinter = std::function<PlaneArrangement(const PlaneCurves& curves, const ImprintOptions& options)>;
-using IntegerSolver = std::function<IntegerSolution(const IntegerProgram& program)>;
-using RegionMesher = std::function<PlaneQuadMesh(const PlaneRegion& region)>;
-using CapMesher = std::function<CapMesh(FaceId face, const CapBoundary& boundary)>;
+/// Any reference_mesher that can be copied, behind one type; std::ref() of one that cannot.
 using ReferenceMesher = std::function<BlockReference(SolidId solid, double size, const FeatureOptions& features)>;
-/// @}
 
 /// The callables that mesh a model: pavior::part has them for CAD files. All are called one at a time.
 struct Kernels {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <pavior/core/error.hpp>
-#include <pavior/many_to_many/layered_hexes.hpp>
+#include <pavior/many_to_many/detail/layered_hex_builder.hpp>
 
 #include <algorithm>
 #include <cstddef>
