@@ -2,19 +2,27 @@
 /// \file
 /// Untangles and optimises quads on a parametric surface, boundary fixed.
 
+#include <pavior/core/compiled.hpp>
 #include <pavior/math/parametric_surface.hpp>
 #include <pavior/math/point.hpp>
 #include <pavior/mesh/cells.hpp>
-#include <pavior/smooth/detail/surface_model.hpp>
+#include <pavior/smooth/detail/surface_view.hpp>
 #include <pavior/smooth/options.hpp>
 #include <pavior/smooth/report.hpp>
 
 #include <cstdint>
 #include <span>
-#include <utility>
-#include <vector>
 
 namespace pavior {
+
+namespace detail {
+
+/// untangle_surface_quads() on any surface.
+PAVIOR_INLINE SmoothReport untangle_on_surface(const SurfaceView& surface, std::span<Vec2> uv,
+                                               std::span<const QuadCorners> quads, std::span<const std::uint8_t> fixed,
+                                               const UntangleOptions& options, std::span<const Vec3> reference_nodes);
+
+}  // namespace detail
 
 /// Moves nodes in the parameter plane of a surface until no quad is folded, neither there nor in space seen from the
 /// tip of the surface's normal in the middle of the quad. As untangle_quads(), lengths and angles measured in space:
@@ -37,24 +45,11 @@ template <parametric_surface Surface>
 SmoothReport untangle_surface_quads(const Surface& surface, std::span<Vec2> uv, std::span<const QuadCorners> quads,
                                     std::span<const std::uint8_t> fixed, const UntangleOptions& options = {},
                                     std::span<const Vec3> reference_nodes = {}) {
-    detail::check_options(options);
-    detail::check_cells<2>(quads, uv.size(), fixed.size());
-    detail::check_finite<Vec2>(uv, "parameter of node");
-    detail::check_finite<Vec3>(reference_nodes, "reference node");
-    if (!reference_nodes.empty() && reference_nodes.size() != uv.size()) {
-        throw InputError(ErrorCode::size_mismatch, "the reference must have one node per node of the mesh, or none");
-    }
-    std::vector<QuadCorners> turned;
-    if (options.reversed) {
-        turned.assign(quads.begin(), quads.end());
-        for (QuadCorners& corners : turned) {
-            std::swap(corners[1], corners[3]);
-        }
-        quads = turned;
-    }
-    detail::SurfaceModel<Surface> model(surface, uv, quads, fixed, reference_nodes, options);
-    return detail::done_or_undone(
-        uv, [&] { return detail::Untangler<2, detail::SurfaceModel<Surface>>(model, quads, fixed, options).run(); });
+    return detail::untangle_on_surface(detail::SurfaceView(surface), uv, quads, fixed, options, reference_nodes);
 }
 
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/smooth/surface_quads-inl.hpp>
+#endif
