@@ -2,6 +2,7 @@
 #include "support/extruded_cases.hpp"
 
 #include <pavior/cad/region_quads.hpp>
+#include <pavior/many_to_many/caps_over_cells.hpp>
 #include <pavior/many_to_many/detail/layered_hex_builder.hpp>
 #include <pavior/many_to_many/layered_hexes.hpp>
 #include <pavior/many_to_many/plane_intervals.hpp>

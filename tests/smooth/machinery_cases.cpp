@@ -9,6 +9,7 @@
 #include <pavior/smooth/detail/cell_sum.hpp>
 #include <pavior/smooth/detail/contradictions.hpp>
 #include <pavior/smooth/detail/foldover.hpp>
+#include <pavior/smooth/detail/guide_view.hpp>
 #include <pavior/smooth/detail/guided_model.hpp>
 #include <pavior/smooth/detail/patch.hpp>
 #include <pavior/smooth/detail/patch_schedule.hpp>
@@ -242,7 +243,7 @@ TEST_CASE("models judge, bound and mend cells, with and without a guide") {
     const GuidedNodes guide{std::span<const Freedom>(freedoms),
                             [](Index, const Vec3& x) { return Vec3(1.2, x[1], x[2]); }};
     grid.nodes[middle] = {1.2, 1.6, 0.5};
-    detail::GuidedModel guided(grid.nodes, grid.hexes, grid.fixed, guide, freedoms, {}, options);
+    detail::GuidedModel guided(grid.nodes, grid.hexes, grid.fixed, detail::GuideView(guide), freedoms, {}, options);
     CHECK_FALSE(guided.concurrent(patches[0]));
     const double worst = guided.quality(0);
     detail::WorstFirst first(guided, grid.hexes.size(), finder, {});

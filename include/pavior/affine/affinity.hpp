@@ -47,4 +47,12 @@ template <class DerivedX, class DerivedY>
     return pair.finite() && affinity(pair).exact(tolerance);
 }
 
+/// \cond
+#define PAVIOR_AFFINITY(prefix, Scalar, N) \
+    prefix template Affinity<Scalar> affinity<Scalar, N>(const LoopPair<Scalar, N>&);
+#ifdef PAVIOR_COMPILED
+PAVIOR_AFFINE_SIZES(PAVIOR_AFFINITY, extern)
+#endif
+/// \endcond
+
 }  // namespace pavior

@@ -10,6 +10,11 @@
 
 namespace pavior {
 
+/// Points as columns, read in place where a Matrix, Map or Block holds them column by column; other expressions are
+/// evaluated first.
+template <class Scalar, int N>
+using PointsRef = Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>>;
+
 /// Local coordinates of a set of points: local(x) = (x - c) / scale with c the geometric centre (2.2) \cite roca2009.
 /// The scale is a power of two, so that scaling rounds nothing; coordinates from 1e-200 to 1e200 are safe.
 template <class Scalar, int N>
@@ -52,8 +57,8 @@ template <class Scalar>
 
 /// Centre and scale of the columns of \p X (n x m, m >= 1); O(m). `finite` is false, and the rest meaningless, if a
 /// coordinate is not finite or the differences overflow.
-template <class Derived, class Scalar = typename Derived::Scalar, int N = Derived::RowsAtCompileTime>
-[[nodiscard]] Centring<Scalar, N> centring(const Eigen::MatrixBase<Derived>& X) {
+template <class Scalar, int N>
+[[nodiscard]] Centring<Scalar, N> centring(PointsRef<Scalar, N> X) {
     using Vector = Eigen::Matrix<Scalar, N, 1>;
     Centring<Scalar, N> result;
     const Scalar count = static_cast<Scalar>(X.cols());
@@ -82,5 +87,23 @@ template <class Derived, class Scalar = typename Derived::Scalar, int N = Derive
     result.finite = std::isfinite(radius) && result.shift.allFinite();
     return result;
 }
+
+/// The same for any matrix expression with the points as columns.
+template <class Derived>
+[[nodiscard]] auto centring(const Eigen::MatrixBase<Derived>& X) {
+    return centring<typename Derived::Scalar, Derived::RowsAtCompileTime>(X.derived());
+}
+
+/// \cond
+/// The scalars and dimensions that pavior::compiled holds of every template of affine/.
+#define PAVIOR_AFFINE_SIZES(apply, prefix)                                                            \
+    apply(prefix, float, 2) apply(prefix, float, 3) apply(prefix, double, 2) apply(prefix, double, 3) \
+        apply(prefix, double, 4) apply(prefix, double, Eigen::Dynamic)
+#define PAVIOR_CENTRING(prefix, Scalar, N) \
+    prefix template Centring<Scalar, N> centring<Scalar, N>(PointsRef<Scalar, N>);
+#ifdef PAVIOR_COMPILED
+PAVIOR_AFFINE_SIZES(PAVIOR_CENTRING, extern)
+#endif
+/// \endcond
 
 }  // namespace pavior

@@ -124,4 +124,13 @@ template <class Scalar, int N>
     return fail(FitStatus::ok, false);
 }
 
+/// \cond
+#define PAVIOR_FIT_CONSTRAINED(prefix, Scalar, N)                                               \
+    prefix template AffineFit<Scalar, N> fit_constrained<Scalar, N>(const LoopPair<Scalar, N>&, \
+                                                                    const LoopNormals<Scalar, N>&, const FitOptions&);
+#ifdef PAVIOR_COMPILED
+PAVIOR_AFFINE_SIZES(PAVIOR_FIT_CONSTRAINED, extern)
+#endif
+/// \endcond
+
 }  // namespace pavior

@@ -47,9 +47,9 @@ template <class Scalar, int N>
 }
 
 /// max_i |y_i - phi(x_i)|, in local coordinates, where nothing cancels or overflows.
-template <class DerivedX, class DerivedY, class Scalar, int N>
+template <class Scalar, int N>
 [[nodiscard]] Scalar max_residual(const LoopPair<Scalar, N>& pair, const AffineMap<Scalar, N>& map,
-                                  const Eigen::MatrixBase<DerivedX>& X, const Eigen::MatrixBase<DerivedY>& Y) {
+                                  const PointsRef<Scalar, N>& X, const PointsRef<Scalar, N>& Y) {
     using Vector = Eigen::Matrix<Scalar, N, 1>;
     const Eigen::Matrix<Scalar, N, N> local = map.A * (pair.source.scale / pair.target.scale);
     const Vector shift = (map.cy - pair.target.centre) / pair.target.scale + local * pair.source.shift;
@@ -60,34 +60,6 @@ template <class DerivedX, class DerivedY, class Scalar, int N>
         residual = std::max(residual, error.norm());
     }
     return residual * pair.target.scale;
-}
-
-template <class Scalar, int N, class DerivedX, class DerivedY>
-[[nodiscard]] AffineFit<Scalar, N> fit_affine(AffineMethod method, const Eigen::MatrixBase<DerivedX>& X,
-                                              const Eigen::MatrixBase<DerivedY>& Y,
-                                              std::span<const std::size_t> loop_offsets, const FitOptions& options) {
-    const LoopPair<Scalar, N> pair = loop_pair(X, Y);
-    verify_loop_offsets(loop_offsets, static_cast<std::size_t>(X.cols()));
-    auto fit = unfitted<Scalar, N>(X.rows());
-    fit.status = FitStatus::not_finite;
-    fit.at_target = pair.source.finite;
-    if (!pair.finite()) {
-        return fit;
-    }
-    if (method == AffineMethod::f || method == AffineMethod::g) {
-        fit = fit_plain(method, pair, options);
-    } else {
-        const LoopNormals<Scalar, N> normals = loop_normals(pair, X, Y, loop_offsets, options);
-        fit = method == AffineMethod::h ? fit_offset_preserving(pair, normals, options)
-                                        : fit_constrained(pair, normals, options);
-    }
-    const bool has_map = fit.status == FitStatus::ok || method == AffineMethod::f || method == AffineMethod::g;
-    if (has_map) {
-        fit.residual = max_residual(pair, fit.map, X, Y);
-        const bool overflowed = !fit.map.A.allFinite() || !fit.map.cy.allFinite();
-        fit.status = overflowed ? FitStatus::not_finite : fit.status;
-    }
-    return fit;
 }
 
 }  // namespace detail
@@ -102,22 +74,42 @@ template <class Scalar, int N, class DerivedX, class DerivedY>
 /// \throws InputError empty_input, size_mismatch, bad_index (offsets)
 /// Cost O(m), no heap for fixed n; thread-safe; any coordinates whose differences neither overflow nor underflow.
 template <class Scalar, int N>
-[[nodiscard]] AffineFit<Scalar, N> fit_affine(AffineMethod method,
-                                              Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>> X,
-                                              Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>> Y,
+[[nodiscard]] AffineFit<Scalar, N> fit_affine(AffineMethod method, PointsRef<Scalar, N> X, PointsRef<Scalar, N> Y,
                                               std::span<const std::size_t> loop_offsets,
                                               const FitOptions& options = {}) {
-    return detail::fit_affine<Scalar, N>(method, X, Y, loop_offsets, options);
+    const LoopPair<Scalar, N> pair = loop_pair<Scalar, N>(X, Y);
+    verify_loop_offsets(loop_offsets, static_cast<std::size_t>(X.cols()));
+    auto fit = detail::unfitted<Scalar, N>(X.rows());
+    fit.status = FitStatus::not_finite;
+    fit.at_target = pair.source.finite;
+    if (!pair.finite()) {
+        return fit;
+    }
+    if (method == AffineMethod::f || method == AffineMethod::g) {
+        fit = detail::fit_plain<Scalar, N>(method, pair, options);
+    } else {
+        const LoopNormals<Scalar, N> normals = loop_normals<Scalar, N>(pair, X, Y, loop_offsets, options);
+        fit = method == AffineMethod::h ? fit_offset_preserving<Scalar, N>(pair, normals, options)
+                                        : fit_constrained<Scalar, N>(pair, normals, options);
+    }
+    const bool has_map = fit.status == FitStatus::ok || method == AffineMethod::f || method == AffineMethod::g;
+    if (has_map) {
+        fit.residual = detail::max_residual<Scalar, N>(pair, fit.map, X, Y);
+        const bool overflowed = !fit.map.A.allFinite() || !fit.map.cy.allFinite();
+        fit.status = overflowed ? FitStatus::not_finite : fit.status;
+    }
+    return fit;
 }
 
-/// The same for any matrix expression with the points as columns: Matrix3Xd, Map, Block, transposed rows.
+/// The same for any matrix expression with the points as columns: Matrix3Xd, Map, Block, transposed rows. What does not
+/// lie in memory column by column is evaluated into a matrix first.
 template <class DerivedX, class DerivedY>
 [[nodiscard]] auto fit_affine(AffineMethod method, const Eigen::MatrixBase<DerivedX>& X,
                               const Eigen::MatrixBase<DerivedY>& Y, std::span<const std::size_t> loop_offsets,
                               const FitOptions& options = {}) {
     using Scalar = typename DerivedX::Scalar;
     constexpr int N = DerivedX::RowsAtCompileTime;
-    using Points = Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>>;
+    using Points = PointsRef<Scalar, N>;
     return fit_affine<Scalar, N>(method, Points(X.derived()), Points(Y.derived()), loop_offsets, options);
 }
 
@@ -133,16 +125,11 @@ template <point_range SourcePoints, point_range TargetPoints>
 }
 
 /// \cond
-#define PAVIOR_FIT_AFFINE(prefix, Scalar, N)                                      \
-    prefix template AffineFit<Scalar, N> fit_affine<Scalar, N>(                   \
-        AffineMethod, Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>>, \
-        Eigen::Ref<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>>, std::span<const std::size_t>, const FitOptions&);
+#define PAVIOR_FIT_AFFINE(prefix, Scalar, N)                    \
+    prefix template AffineFit<Scalar, N> fit_affine<Scalar, N>( \
+        AffineMethod, PointsRef<Scalar, N>, PointsRef<Scalar, N>, std::span<const std::size_t>, const FitOptions&);
 #ifdef PAVIOR_COMPILED
-PAVIOR_FIT_AFFINE(extern, float, 2)
-PAVIOR_FIT_AFFINE(extern, float, 3)
-PAVIOR_FIT_AFFINE(extern, double, 2)
-PAVIOR_FIT_AFFINE(extern, double, 3)
-PAVIOR_FIT_AFFINE(extern, double, Eigen::Dynamic)
+PAVIOR_AFFINE_SIZES(PAVIOR_FIT_AFFINE, extern)
 #endif
 /// \endcond
 

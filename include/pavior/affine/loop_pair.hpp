@@ -4,12 +4,10 @@
 
 #include <pavior/affine/centring.hpp>
 #include <pavior/affine/fit_result.hpp>
-#include <pavior/core/error.hpp>
+#include <pavior/core/compiled.hpp>
 #include <pavior/math/streamed_qr.hpp>
 
 #include <Eigen/Core>
-
-#include <string>
 
 namespace pavior {
 
@@ -49,21 +47,21 @@ struct LoopPair {
     [[nodiscard]] AffineMap<Scalar, N> map(const Matrix& A) const { return map(A, Vector::Zero(dimension())); }
 };
 
+namespace detail {
+
+/// \throws InputError empty_input (no points, or n < 2), size_mismatch
+PAVIOR_INLINE void check_pair(Eigen::Index n, Eigen::Index m, Eigen::Index target_n, Eigen::Index target_m);
+
+}  // namespace detail
+
 /// Condenses the columns of \p X and \p Y (n x m each); O(m), no heap for fixed n. If a coordinate is not finite, X and
 /// Y of the result are unset.
 /// \throws InputError empty_input (no points, or n < 2), size_mismatch
-template <class DerivedX, class DerivedY, class Scalar = typename DerivedX::Scalar, int N = DerivedX::RowsAtCompileTime>
-[[nodiscard]] LoopPair<Scalar, N> loop_pair(const Eigen::MatrixBase<DerivedX>& X,
-                                            const Eigen::MatrixBase<DerivedY>& Y) {
-    if (X.cols() == 0 || X.rows() < 2) {
-        throw InputError(ErrorCode::empty_input, "affine fit: no points, or points with less than two coordinates");
-    }
-    if (X.cols() != Y.cols() || X.rows() != Y.rows()) {
-        throw InputError(ErrorCode::size_mismatch, "affine fit: source of " + std::to_string(X.cols()) +
-                                                       " points, target of " + std::to_string(Y.cols()));
-    }
+template <class Scalar, int N>
+[[nodiscard]] LoopPair<Scalar, N> loop_pair(PointsRef<Scalar, N> X, PointsRef<Scalar, N> Y) {
+    detail::check_pair(X.rows(), X.cols(), Y.rows(), Y.cols());
     const Eigen::Index n = X.rows();
-    LoopPair<Scalar, N> pair{centring(X), centring(Y), {}, {}, X.cols()};
+    LoopPair<Scalar, N> pair{centring<Scalar, N>(X), centring<Scalar, N>(Y), {}, {}, X.cols()};
     if (!pair.finite()) {
         return pair;
     }
@@ -85,4 +83,23 @@ template <class DerivedX, class DerivedY, class Scalar = typename DerivedX::Scal
     return pair;
 }
 
+/// The same for any matrix expressions with the points as columns.
+template <class DerivedX, class DerivedY>
+[[nodiscard]] auto loop_pair(const Eigen::MatrixBase<DerivedX>& X, const Eigen::MatrixBase<DerivedY>& Y) {
+    detail::check_pair(X.rows(), X.cols(), Y.rows(), Y.cols());
+    return loop_pair<typename DerivedX::Scalar, DerivedX::RowsAtCompileTime>(X.derived(), Y.derived());
+}
+
+/// \cond
+#define PAVIOR_LOOP_PAIR(prefix, Scalar, N) \
+    prefix template LoopPair<Scalar, N> loop_pair<Scalar, N>(PointsRef<Scalar, N>, PointsRef<Scalar, N>);
+#ifdef PAVIOR_COMPILED
+PAVIOR_AFFINE_SIZES(PAVIOR_LOOP_PAIR, extern)
+#endif
+/// \endcond
+
 }  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/affine/loop_pair-inl.hpp>
+#endif

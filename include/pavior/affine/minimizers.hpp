@@ -83,4 +83,17 @@ template <class Scalar, int N>
     return pair.map(minimizer_f(pair, options).A);
 }
 
+/// \cond
+#define PAVIOR_MINIMIZERS(prefix, Scalar, N)                                                                    \
+    prefix template LinearFit<Scalar, N> minimizer_f<Scalar, N>(const LoopPair<Scalar, N>&, const FitOptions&); \
+    prefix template LinearFit<Scalar, N> minimizer_g<Scalar, N>(const LoopPair<Scalar, N>&, const FitOptions&); \
+    prefix template LinearFit<Scalar, N> minimizer_h<Scalar, N>(                                                \
+        const LoopPair<Scalar, N>&, const Eigen::Matrix<Scalar, N, 1>&, const Eigen::Matrix<Scalar, N, 1>&,     \
+        const FitOptions&);                                                                                     \
+    prefix template AffineMap<Scalar, N> minimizer_e<Scalar, N>(const LoopPair<Scalar, N>&, const FitOptions&);
+#ifdef PAVIOR_COMPILED
+PAVIOR_AFFINE_SIZES(PAVIOR_MINIMIZERS, extern)
+#endif
+/// \endcond
+
 }  // namespace pavior

@@ -33,23 +33,29 @@ struct PairRanks {
     Eigen::Index rank = 0;                ///< of A^F
 
     /// The unit vector that spans Ker A^F. \pre rank == n - 1
-    [[nodiscard]] Vector kernel() const {
-        const Eigen::Index last = source.w.size() - 1;
-        if (source_rank <= last) {
-            return source.V.col(last);
-        }
-        return (source.V * (source.w.array() * correlations.V.col(last).array()).matrix()).normalized();
-    }
+    [[nodiscard]] Vector kernel() const;
 
     /// The unit vector perpendicular to Range A^F. \pre rank == n - 1
-    [[nodiscard]] Vector cokernel() const {
-        const Eigen::Index last = target.w.size() - 1;
-        if (target_rank <= last) {
-            return target.V.col(last);
-        }
-        return (target.V * (correlations.U.col(last).array() / target.w.array()).matrix()).normalized();
-    }
+    [[nodiscard]] Vector cokernel() const;
 };
+
+template <class Scalar, int N>
+Eigen::Matrix<Scalar, N, 1> PairRanks<Scalar, N>::kernel() const {
+    const Eigen::Index last = source.w.size() - 1;
+    if (source_rank <= last) {
+        return source.V.col(last);
+    }
+    return (source.V * (source.w.array() * correlations.V.col(last).array()).matrix()).normalized();
+}
+
+template <class Scalar, int N>
+Eigen::Matrix<Scalar, N, 1> PairRanks<Scalar, N>::cokernel() const {
+    const Eigen::Index last = target.w.size() - 1;
+    if (target_rank <= last) {
+        return target.V.col(last);
+    }
+    return (target.V * (correlations.U.col(last).array() / target.w.array()).matrix()).normalized();
+}
 
 /// Counts the ranks of a pair of loops with the tolerances of \p options.
 template <class Scalar, int N>
@@ -222,5 +228,17 @@ template <class Scalar, int N>
     }
     return fit;
 }
+
+/// \cond
+#define PAVIOR_OFFSET_PRESERVING(prefix, Scalar, N)                                                            \
+    prefix template PairRanks<Scalar, N> pair_ranks<Scalar, N>(const LoopPair<Scalar, N>&, const FitOptions&); \
+    prefix template OffsetVectors<Scalar, N> offset_vectors<Scalar, N>(                                        \
+        const LoopPair<Scalar, N>&, const LoopNormals<Scalar, N>&, const FitOptions&);                         \
+    prefix template AffineFit<Scalar, N> fit_offset_preserving<Scalar, N>(                                     \
+        const LoopPair<Scalar, N>&, const LoopNormals<Scalar, N>&, const FitOptions&);
+#ifdef PAVIOR_COMPILED
+PAVIOR_AFFINE_SIZES(PAVIOR_OFFSET_PRESERVING, extern)
+#endif
+/// \endcond
 
 }  // namespace pavior

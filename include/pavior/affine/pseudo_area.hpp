@@ -60,8 +60,8 @@ void add_curve(Enclosure<Scalar, N>& sum, const Eigen::Matrix<Scalar, N, 1>& fro
 /// Pseudo-area of the columns of \p X (n x m, n = 2 or 3) in the local coordinates \p local. n = 3: half the sum of
 /// (x_i - c) x (x_(i+1) - c) over closed loops, Definition 3.3. n = 2, open curves: the chord from the first to the
 /// last point of each, turned by +90 degrees. O(m), no heap for fixed n.
-template <class Derived, class Scalar = typename Derived::Scalar, int N = Derived::RowsAtCompileTime>
-[[nodiscard]] Enclosure<Scalar, N> enclosure(const Eigen::MatrixBase<Derived>& X, std::span<const std::size_t> offsets,
+template <class Scalar, int N>
+[[nodiscard]] Enclosure<Scalar, N> enclosure(PointsRef<Scalar, N> X, std::span<const std::size_t> offsets,
                                              const Centring<Scalar, N>& local) {
     using Vector = Eigen::Matrix<Scalar, N, 1>;
     Enclosure<Scalar, N> sum{Vector::Zero(X.rows()), Scalar(0)};
@@ -79,6 +79,13 @@ template <class Derived, class Scalar = typename Derived::Scalar, int N = Derive
         }
     }
     return sum;
+}
+
+/// The same for any matrix expression with the points as columns.
+template <class Derived, class Scalar, int N>
+[[nodiscard]] Enclosure<Scalar, N> enclosure(const Eigen::MatrixBase<Derived>& X, std::span<const std::size_t> offsets,
+                                             const Centring<Scalar, N>& local) {
+    return enclosure<Scalar, N>(PointsRef<Scalar, N>(X.derived()), offsets, local);
 }
 
 /// The direction of \p sum. It is null if |area| is not above \p tolerance times the bound, or not above the rounding
@@ -119,9 +126,8 @@ template <class Scalar, int R, int N>
 /// offsets[l] .. offsets[l + 1] - 1, in the user's unit squared (n = 2: unit). Precise far from the origin
 /// (Proposition 3.4 (i) with the centre subtracted). Overflows to infinity above about 1e150.
 /// \throws InputError empty_input, bad_index (offsets), bad_option (n >= 4)
-template <class Derived, class Scalar = typename Derived::Scalar, int N = Derived::RowsAtCompileTime>
-[[nodiscard]] Eigen::Matrix<Scalar, N, 1> pseudo_area(const Eigen::MatrixBase<Derived>& X,
-                                                      std::span<const std::size_t> offsets) {
+template <class Scalar, int N>
+[[nodiscard]] Eigen::Matrix<Scalar, N, 1> pseudo_area(PointsRef<Scalar, N> X, std::span<const std::size_t> offsets) {
     static_assert(N == Eigen::Dynamic || N == 2 || N == 3, "pseudo-areas exist in two and three dimensions");
     verify_loop_offsets(offsets, static_cast<std::size_t>(X.cols()));
     if (X.cols() == 0) {
@@ -130,12 +136,18 @@ template <class Derived, class Scalar = typename Derived::Scalar, int N = Derive
     if (X.rows() != 2 && X.rows() != 3) {
         throw InputError(ErrorCode::bad_option, "pseudo-areas exist in two and three dimensions");
     }
-    const Centring<Scalar, N> local = centring(X);
-    Enclosure<Scalar, N> sum = enclosure(X, offsets, local);
+    const Centring<Scalar, N> local = centring<Scalar, N>(X);
+    Enclosure<Scalar, N> sum = enclosure<Scalar, N>(X, offsets, local);
     for (Eigen::Index power = 1; power < X.rows(); ++power) {
         sum.area *= local.scale;
     }
     return sum.area;
+}
+
+/// The same for any matrix expression with the points as columns.
+template <class Derived>
+[[nodiscard]] auto pseudo_area(const Eigen::MatrixBase<Derived>& X, std::span<const std::size_t> offsets) {
+    return pseudo_area<typename Derived::Scalar, Derived::RowsAtCompileTime>(X.derived(), offsets);
 }
 
 /// The same for a point_range, read in place where the points are doubles in memory.
@@ -148,20 +160,20 @@ template <point_range R>
 /// Pseudo-normal of the multi-loop, Definition 3.6; n >= 4: hyperplane_normal. Null for figure eights, collinear
 /// points, closed plane curves (n = 2) and coordinates that are not finite. O(m).
 /// \throws InputError empty_input, bad_index (offsets)
-template <class Derived, class Scalar = typename Derived::Scalar, int N = Derived::RowsAtCompileTime>
-[[nodiscard]] PseudoNormal<Scalar, N> pseudo_normal(const Eigen::MatrixBase<Derived>& X,
-                                                    std::span<const std::size_t> offsets, double tolerance = 1e-10) {
+template <class Scalar, int N>
+[[nodiscard]] PseudoNormal<Scalar, N> pseudo_normal(PointsRef<Scalar, N> X, std::span<const std::size_t> offsets,
+                                                    double tolerance = 1e-10) {
     verify_loop_offsets(offsets, static_cast<std::size_t>(X.cols()));
     if (X.cols() == 0) {
         throw InputError(ErrorCode::empty_input, "pseudo-normal: no points");
     }
     const Eigen::Index n = X.rows();
-    const Centring<Scalar, N> local = centring(X);
+    const Centring<Scalar, N> local = centring<Scalar, N>(X);
     if (!local.finite || n < 2) {
         return {Eigen::Matrix<Scalar, N, 1>::Zero(n), Scalar(0), true};
     }
     if (n <= 3) {
-        return pseudo_normal(enclosure(X, offsets, local), local, tolerance);
+        return pseudo_normal<Scalar, N>(enclosure<Scalar, N>(X, offsets, local), local, tolerance);
     }
     StreamedQr<Scalar, N> qr(n);
     for (Eigen::Index i = 0; i < X.cols(); ++i) {
@@ -171,6 +183,14 @@ template <class Derived, class Scalar = typename Derived::Scalar, int N = Derive
     return hyperplane_normal(svd, std::max(Scalar(1e-8) * svd.w(0), 16 * local.noise(X.cols())));
 }
 
+/// The same for any matrix expression with the points as columns.
+template <class Derived>
+[[nodiscard]] auto pseudo_normal(const Eigen::MatrixBase<Derived>& X, std::span<const std::size_t> offsets,
+                                 double tolerance = 1e-10) {
+    return pseudo_normal<typename Derived::Scalar, Derived::RowsAtCompileTime>(
+        PointsRef<typename Derived::Scalar, Derived::RowsAtCompileTime>(X.derived()), offsets, tolerance);
+}
+
 /// The same for a point_range, read in place where the points are doubles in memory.
 template <point_range R>
 [[nodiscard]] PseudoNormal<double, 3> pseudo_normal(const R& points, std::span<const std::size_t> offsets,
@@ -178,6 +198,27 @@ template <point_range R>
     const detail::PointColumns X(points);
     return pseudo_normal(X.matrix(), offsets, tolerance);
 }
+
+/// \cond
+#define PAVIOR_PSEUDO_AREA(prefix, Scalar, N)                                                \
+    prefix template Eigen::Matrix<Scalar, N, 1> pseudo_area<Scalar, N>(PointsRef<Scalar, N>, \
+                                                                       std::span<const std::size_t>);
+#define PAVIOR_PSEUDO_NORMAL(prefix, Scalar, N)                                                                   \
+    prefix template Enclosure<Scalar, N> enclosure<Scalar, N>(PointsRef<Scalar, N>, std::span<const std::size_t>, \
+                                                              const Centring<Scalar, N>&);                        \
+    prefix template PseudoNormal<Scalar, N> pseudo_normal<Scalar, N>(const Enclosure<Scalar, N>&,                 \
+                                                                     const Centring<Scalar, N>&, double);         \
+    prefix template PseudoNormal<Scalar, N> pseudo_normal<Scalar, N>(PointsRef<Scalar, N>,                        \
+                                                                     std::span<const std::size_t>, double);
+#ifdef PAVIOR_COMPILED
+PAVIOR_AFFINE_SIZES(PAVIOR_PSEUDO_NORMAL, extern)
+PAVIOR_PSEUDO_AREA(extern, float, 2)
+PAVIOR_PSEUDO_AREA(extern, float, 3)
+PAVIOR_PSEUDO_AREA(extern, double, 2)
+PAVIOR_PSEUDO_AREA(extern, double, 3)
+PAVIOR_PSEUDO_AREA(extern, double, Eigen::Dynamic)
+#endif
+/// \endcond
 
 }  // namespace pavior
 

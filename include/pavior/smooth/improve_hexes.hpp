@@ -3,19 +3,19 @@
 /// Untangles and optimises hexahedra, the worst first; boundary nodes may slide on their curves and surfaces.
 
 #include <pavior/core/compiled.hpp>
+#include <pavior/core/execution.hpp>
+#include <pavior/core/index.hpp>
+#include <pavior/core/progress.hpp>
 #include <pavior/math/point.hpp>
+#include <pavior/mesh/cells.hpp>
 #include <pavior/mesh/mesh_access.hpp>
 #include <pavior/mesh/span_mesh.hpp>
-#include <pavior/smooth/detail/guided_model.hpp>
-#include <pavior/smooth/detail/untangle.hpp>
-#include <pavior/smooth/detail/worst_first.hpp>
+#include <pavior/smooth/detail/guide_view.hpp>
 #include <pavior/smooth/node_guide.hpp>
 #include <pavior/smooth/options.hpp>
 #include <pavior/smooth/report.hpp>
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -58,38 +58,17 @@ struct ImprovedHexes {
 
 namespace detail {
 
-PAVIOR_INLINE void check_options(const ImproveOptions& options);
-
 /// \throws InputError size_mismatch if a guide that knows \p known nodes is to guide \p nodes
 PAVIOR_INLINE void check_guide(std::size_t known, std::size_t nodes);
 
-/// Repairs, then raises the worst first; \p result holds what was before.
-template <node_guide G>
-void improve(std::span<Vec3> nodes, std::span<const HexCorners> hexes, GuidedModel<G>& model,
-             std::span<const std::uint8_t> fixed, const UntangleOptions& untangling, const ImproveOptions& options,
-             SmoothReport& result) {
-    const std::vector<Vec3> input(nodes.begin(), nodes.end());
-    try {
-        if (result.inverted_before != 0) {
-            result.iterations = Untangler<3, GuidedModel<G>>(model, hexes, fixed, untangling).run().iterations;
-        }
-        PatchFinder<3> finder(hexes, fixed);
-        const WorstFirstOptions limits{
-            options.target,    options.sufficient,
-            options.gain,      options.rings,
-            options.attempts,  options.effort,
-            options.execution, result.inverted_before != 0 ? stage_of(options.progress, 0.5, 1.0) : options.progress};
-        WorstFirst<GuidedModel<G>> improver(model, hexes.size(), finder, limits);
-        result.iterations += improver.run();
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            result.moved_nodes += nodes[i] != input[i] ? 1U : 0U;
-        }
-        set_after(result, improver.quality(), options.max_ids);
-    } catch (...) {
-        std::copy(input.begin(), input.end(), nodes.begin());
-        throw;
-    }
-}
+/// improve_hexes() with the \p freedoms of a guide. \pre check_improve() has passed
+PAVIOR_INLINE SmoothReport improve(std::span<Vec3> nodes, std::span<const HexCorners> hexes, const GuideView& guide,
+                                   std::span<const Freedom> freedoms, const ImproveOptions& options,
+                                   std::span<const Vec3> reference);
+
+/// \throws InputError bad_option, size_mismatch, bad_index, not_finite
+PAVIOR_INLINE void check_improve(std::span<Vec3> nodes, std::span<const HexCorners> hexes,
+                                 const ImproveOptions& options, std::span<const Vec3> reference);
 
 }  // namespace detail
 
@@ -127,33 +106,15 @@ void improve(std::span<Vec3> nodes, std::span<const HexCorners> hexes, GuidedMod
 template <node_guide G>
 SmoothReport improve_hexes(std::span<Vec3> nodes, std::span<const HexCorners> hexes, const G& guide,
                            const ImproveOptions& options = {}, std::span<const Vec3> reference = {}) {
-    detail::check_options(options);
-    detail::check_mesh<3>(nodes, hexes, nodes.size(), reference);
+    detail::check_improve(nodes, hexes, options, reference);
     if constexpr (requires { guide.size(); }) {
         detail::check_guide(static_cast<std::size_t>(guide.size()), nodes.size());
     }
     std::vector<Freedom> freedoms(nodes.size());
-    std::vector<std::uint8_t> fixed(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         freedoms[i] = guide.freedom(static_cast<Index>(i));
-        fixed[i] = freedoms[i] == Freedom::fixed ? 1 : 0;
     }
-    UntangleOptions untangling;
-    untangling.keep_minimum = true;
-    untangling.sufficient_det = 0.0;  // the second step raises it
-    untangling.positivity = options.positivity;
-    untangling.execution = options.execution;
-    untangling.progress = stage_of(options.progress, 0.0, 0.5);
-    detail::GuidedModel<G> model(nodes, hexes, fixed, guide, freedoms, reference, untangling);
-    SmoothReport result;
-    const std::vector<double> quality = detail::scan_quality(model, hexes.size(), options.execution);
-    detail::set_before(result, quality);
-    if (result.inverted_before == 0 && result.min_det_before >= options.target - options.gain) {
-        detail::set_after(result, quality, options.max_ids);
-    } else {
-        detail::improve(nodes, hexes, model, fixed, untangling, options, result);
-    }
-    return result;
+    return detail::improve(nodes, hexes, detail::GuideView(guide), freedoms, options, reference);
 }
 
 /// The same for any hex_mesh, which is not changed.

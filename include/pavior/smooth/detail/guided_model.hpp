@@ -3,6 +3,7 @@
 /// Hexahedra whose nodes are fixed, slide on curves and surfaces, or move freely.
 
 #include <pavior/smooth/detail/cartesian_model.hpp>
+#include <pavior/smooth/detail/guide_view.hpp>
 #include <pavior/smooth/detail/scaled_barrier.hpp>
 #include <pavior/smooth/node_guide.hpp>
 
@@ -21,10 +22,10 @@ namespace pavior::detail {
 /// and takes the tangent spaces anew. Minimisers whose preconditioner treats the coordinates of a node alike never
 /// leave the tangent spaces between two calls.
 /// Frame: a point of the mesh is origin + size * coordinates.
-template <class Energy, node_guide Guide, class Frame>
+template <class Energy, class Frame>
 class GuidedEnergy : public Energy {
 public:
-    GuidedEnergy(Energy energy, const Guide& guide, std::span<const Freedom> freedoms, const Patch<3>& patch,
+    GuidedEnergy(Energy energy, const GuideView& guide, std::span<const Freedom> freedoms, const Patch<3>& patch,
                  const Frame& frame)
         : Energy(std::move(energy)), guide_(guide), patch_(patch), frame_(frame) {
         for (std::size_t k = 0; k < patch.free_count; ++k) {
@@ -53,9 +54,9 @@ public:
             const Index id = patch_.nodes[static_cast<std::size_t>(node.at)];
             auto local = x.template segment<3>(3 * node.at);
             const Vec3 before = frame_.origin + frame_.size * local;
-            const Vec3 point = guided_point(guide_, id, before, before);
+            const Vec3 point = guide_.point(id, before, before);
             local = (point - frame_.origin) / frame_.size;
-            node.direction = guided_direction(guide_, node.freedom, id, point, 1e-4 * frame_.size);
+            node.direction = guide_.direction(node.freedom, id, point, 1e-4 * frame_.size);
         }
     }
 
@@ -66,7 +67,7 @@ private:
         Vec3 direction;  ///< unit tangent of the curve, normal of the surface; null: rests
     };
 
-    const Guide& guide_;
+    const GuideView& guide_;
     const Patch<3>& patch_;
     const Frame& frame_;
     std::vector<Sliding> sliding_;
@@ -74,20 +75,39 @@ private:
 
 /// The smoothing_model of hexahedra with a node_guide. Nodes that slide are on their curve or surface once they have
 /// been moved.
-template <node_guide Guide>
 class GuidedModel : public CartesianModel<3> {
+    [[nodiscard]] bool sliding(const Patch<3>& patch) const {
+        return std::any_of(patch.nodes.begin(), patch.nodes.begin() + static_cast<std::ptrdiff_t>(patch.free_count),
+                           [&](Index i) { return slides(freedoms_[i]); });
+    }
+
+    template <class Energy, class Solve>
+    auto move(const Patch<3>& patch, const Frame& frame, Energy energy, const Solve& solve) {
+        if (!sliding(patch)) {
+            return solve(energy, [&](const Eigen::VectorXd& x) { write(patch, frame, x); });
+        }
+        GuidedEnergy<Energy, Frame> guided(std::move(energy), guide_, freedoms_, patch, frame);
+        return solve(guided, [&](const Eigen::VectorXd& x) {
+            const std::vector<Vec3> saved = save(patch);
+            write(patch, frame, x);
+            for (std::size_t k = 0; k < patch.free_count; ++k) {
+                const Index i = patch.nodes[k];
+                if (slides(freedoms_[i])) {
+                    node(i) = guide_.point(i, node(i), saved[k]);
+                }
+            }
+        });
+    }
+
 public:
     /// \param freedoms  what the guide says of each node, \p fixed the flags of those that are fixed.
     GuidedModel(std::span<Vec3> nodes, std::span<const HexCorners> cells, std::span<const std::uint8_t> fixed,
-                const Guide& guide, std::span<const Freedom> freedoms, std::span<const Vec3> reference,
+                const GuideView& guide, std::span<const Freedom> freedoms, std::span<const Vec3> reference,
                 const UntangleOptions& options)
-        : CartesianModel<3>(nodes, cells, fixed, reference, options),
-          guide_(guide),
-          freedoms_(freedoms),
-          concurrent_guide_(guide_concurrent(guide)) {}
+        : CartesianModel<3>(nodes, cells, fixed, reference, options), guide_(guide), freedoms_(freedoms) {}
 
     using CartesianModel<3>::concurrent;
-    [[nodiscard]] bool concurrent(const Patch<3>& patch) const { return concurrent_guide_ || !sliding(patch); }
+    [[nodiscard]] bool concurrent(const Patch<3>& patch) const { return guide_.concurrent() || !sliding(patch); }
 
     int solve(const Patch<3>& patch, double wanted, const Execution& execution) {
         const Frame frame = frame_of(patch);
@@ -111,32 +131,8 @@ public:
     }
 
 private:
-    [[nodiscard]] bool sliding(const Patch<3>& patch) const {
-        return std::any_of(patch.nodes.begin(), patch.nodes.begin() + static_cast<std::ptrdiff_t>(patch.free_count),
-                           [&](Index i) { return slides(freedoms_[i]); });
-    }
-
-    template <class Energy, class Solve>
-    auto move(const Patch<3>& patch, const Frame& frame, Energy energy, const Solve& solve) {
-        if (!sliding(patch)) {
-            return solve(energy, [&](const Eigen::VectorXd& x) { write(patch, frame, x); });
-        }
-        GuidedEnergy<Energy, Guide, Frame> guided(std::move(energy), guide_, freedoms_, patch, frame);
-        return solve(guided, [&](const Eigen::VectorXd& x) {
-            const std::vector<Vec3> saved = save(patch);
-            write(patch, frame, x);
-            for (std::size_t k = 0; k < patch.free_count; ++k) {
-                const Index i = patch.nodes[k];
-                if (slides(freedoms_[i])) {
-                    node(i) = guided_point(guide_, i, node(i), saved[k]);
-                }
-            }
-        });
-    }
-
-    const Guide& guide_;
+    GuideView guide_;
     std::span<const Freedom> freedoms_;
-    bool concurrent_guide_;
 };
 
 }  // namespace pavior::detail
