@@ -1,10 +1,13 @@
 #include "snap.hpp"
 
+#include <pavior/math/box.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <unordered_map>
 
 namespace pavior::detail {
@@ -46,13 +49,8 @@ private:
 
 /// Width of bins: never so small that a box holds more bins than there are points.
 double bin_width(const std::vector<Vec2>& points, double tolerance) {
-    Vec2 low = points.front();
-    Vec2 high = points.front();
-    for (const Vec2& p : points) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
-    return std::max(tolerance, (high - low).maxCoeff() / std::sqrt(static_cast<double>(points.size()) + 1));
+    const Vec2 extent = box_round(std::span<const Vec2>(points)).extent();
+    return std::max(tolerance, extent.maxCoeff() / std::sqrt(static_cast<double>(points.size()) + 1));
 }
 
 /// The least tolerance of the routes through each point; infinite for a point that no route uses.

@@ -47,8 +47,8 @@ namespace detail {
 
 /// Extends the heights known on some nodes of one level to the nodes connected with them by \p quads (plane nodes):
 /// the constant where they are all equal within \p tolerance, else the harmonic function on the edges, weighted with
-/// the inverse of their lengths. \p known tells the height of a plane node, if there is one; \p extend is called for each
-/// other. Nodes connected with no known one are left out.
+/// the inverse of their lengths. \p known tells the height of a plane node, if there is one; \p extend is called for
+/// each other. Nodes connected with no known one are left out.
 PAVIOR_INLINE void extend_heights(std::span<const Vec2> plane, std::span<const QuadCorners> quads, double tolerance,
                                   const std::function<std::optional<double>(Index p)>& known,
                                   const std::function<void(Index p, double height)>& extend);

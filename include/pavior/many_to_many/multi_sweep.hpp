@@ -49,8 +49,8 @@ struct MultiSweepMesh : LayeredHexes {
 /// layers between them. Nodes of caps, curves and vertices lie on them, those of sides straight between; inner levels
 /// keep the height of their caps where these are flat and follow them smoothly where they are not.
 ///
-/// \p geometry may be any extruded_geometry, \p imprint any plane_imprinter, \p solver any integer_solver, \p mesher any
-/// region_mesher. The result is not verified; use verify_hexes(). Deterministic if these
+/// \p geometry may be any extruded_geometry, \p imprint any plane_imprinter, \p solver any integer_solver and
+/// \p mesher any region_mesher. The result is not verified; use verify_hexes(). Deterministic if these
 /// are. O(hexahedra) memory and time, but for the solver, and for levels whose caps are not of one height.
 /// \throws UnmeshableError not_sweepable naming faces (tags) that are too narrow or have no level, or an edge a vertex
 /// of which would share its node with another vertex; infeasible_intervals; InputError bad_option, empty_input,

@@ -21,7 +21,8 @@ namespace pavior {
 ///
 /// Only what needs to be moved is moved, and the result is never worse than the input, as in untangle_quads().
 /// \param surface    any parametric_surface psi(u, v); its normal is d/du x d/dv. Called from one thread only, about 5
-///                   times per quad freed and step of epsilon. It need not be defined outside the box of the fixed nodes' parameters.
+///                   times per quad freed and step of epsilon. It need not be defined outside the box of the fixed
+///                   nodes' parameters.
 /// \param uv         parameters of the nodes, in and out; on a periodic surface unwrapped, without a jump in a quad.
 /// \param quads      corners, counter-clockwise about the normal and so in the parameter plane; the other way round
 ///                   with options.reversed.

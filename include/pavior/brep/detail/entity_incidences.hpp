@@ -4,6 +4,7 @@
 
 #include <pavior/brep/brep.hpp>
 #include <pavior/core/compiled.hpp>
+#include <pavior/math/box.hpp>
 #include <pavior/mesh/cells.hpp>
 #include <pavior/mesh/edge_table.hpp>
 
@@ -12,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -97,8 +97,7 @@ struct QuadSkeleton {
 template <brep B>
 [[nodiscard]] Vec2 middle_parameters(const B& b, FaceId f, std::span<const EdgeId> seams) {
     const std::array<double, 2> period = b.face_period(f);
-    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
-    Vec2 high = -low;
+    Box<Vec2> box;
     Vec2 last = Vec2::Zero();
     const std::span<const EdgeLoop> loops = b.face_loops(f);
     for (const OrientedEdge& use : loops.empty() ? EdgeLoop{} : loops[0]) {
@@ -106,16 +105,15 @@ template <brep B>
         for (int i = 0; i <= 8; ++i) {
             const double part = (use.forward ? i : 8 - i) / 8.0;
             Vec2 uv = b.edge_on_face(use.edge, range[0] + part * (range[1] - range[0]), f, use.forward);
-            for (Eigen::Index k = 0; k < 2 && low.allFinite(); ++k) {
+            for (Eigen::Index k = 0; k < 2 && !box.empty(); ++k) {
                 const double p = period[static_cast<std::size_t>(k)];
                 uv[k] -= p > 0 ? p * std::round((uv[k] - last[k]) / p) : 0.0;
             }
-            low = low.cwiseMin(uv);
-            high = high.cwiseMax(uv);
+            box.add(uv);
             last = uv;
         }
     }
-    Vec2 middle = low.allFinite() ? Vec2(0.5 * (low + high)) : Vec2(0.5 * period[0], 0.5 * period[1]);
+    Vec2 middle = !box.empty() ? Vec2(0.5 * (box.low + box.high)) : Vec2(0.5 * period[0], 0.5 * period[1]);
     for (const EdgeId e : seams) {
         const std::array<double, 2> range = b.edge_range(e);
         const Vec2 one = b.edge_on_face(e, 0.5 * (range[0] + range[1]), f, true);
