@@ -4,7 +4,7 @@
     python3 bench/mesh_parts.py [--program build/release/pavior] [--check QUALITY.py] [--out DIR] [--sizes 1,0.5]
                                 [--table docs/mesh_parts.md] [PARTS...]
 
-PARTS are directories and files, by default examples/data/mfcad. --check names an independent checker that is run on
+PARTS are directories and files, by default examples/data/mfcad and one of hexme. --check names an independent checker that is run on
 every mesh as `/usr/bin/python3 CHECK MESH` and must exit with 0. Exit code 1 if a part gave neither a valid mesh nor a
 reasoned refusal (exit code 3), or if the checker disagrees.
 """
@@ -17,7 +17,8 @@ import time
 
 root = pathlib.Path(__file__).resolve().parent.parent
 ap = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-ap.add_argument("parts", nargs="*", default=[str(root / "examples/data/mfcad")])
+ap.add_argument("parts", nargs="*", default=[str(root / "examples/data/mfcad"),
+                                             str(root / "examples/data/hexme/s11o_cube_cyl.stp")])
 ap.add_argument("--program", default=str(root / "build/release/pavior"))
 ap.add_argument("--check", help="independent checker")
 ap.add_argument("--out", default=str(root / "build/mesh_parts"))

@@ -13,10 +13,12 @@
 #include <pavior/part/sweep_solids.hpp>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <set>
 #include <stop_token>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace pavior;
@@ -165,6 +167,30 @@ TEST_CASE("The same bytes for any number of threads") {
     const PartMesh three = mesh_part(b, options, kernels(b));
     CHECK(one.data.mesh.nodes == three.data.mesh.nodes);
     CHECK(one.data.mesh.hexes == three.data.mesh.hexes);
+}
+
+TEST_CASE("Two threads mesh two models at a time, as one after the other") {
+    const std::vector methods{PartMethod::submap, PartMethod::sweep};
+    std::array<TestBrep, 2> models;
+    add_prism(models[0], l_shape(), 0, 1);
+    add_cylinder(models[1], 1, 1, 2);
+    const auto meshed = [&](std::size_t i) {
+        PartOptions options = with_size(0.2);
+        options.methods = {methods[i]};
+        options.execution.threads = 2;
+        return mesh_part(models[i], options, kernels(models[i]));
+    };
+    std::array<PartMesh, 2> together;
+    {
+        std::jthread first([&] { together[0] = meshed(0); });
+        std::jthread second([&] { together[1] = meshed(1); });
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+        const PartMesh alone = meshed(i);
+        REQUIRE(together[i].valid());
+        CHECK(together[i].data.mesh.nodes == alone.data.mesh.nodes);
+        CHECK(together[i].data.mesh.hexes == alone.data.mesh.hexes);
+    }
 }
 
 TEST_CASE("Finer sizes are tried where the CAD mesher fails, and said") {

@@ -57,8 +57,8 @@ using MethodReport = std::variant<const SubmappedMesh*, const SweptSolids*, cons
 /// Any reference_mesher that can be copied, behind one type; std::ref() of one that cannot.
 using ReferenceMesher = std::function<BlockReference(SolidId solid, double size, const FeatureOptions& features)>;
 
-/// The callables that mesh a model: pavior::part has them for CAD files. All are called one at a time. Methods that need
-/// one that is empty end as TryOutcome::died.
+/// The callables that mesh a model: pavior::part has them for CAD files. All are called one at a time. A method that
+/// needs one that is empty ends as TryOutcome::died.
 struct Kernels {
     PlaneImprinter imprint;     ///< curves in a plane, cut by each other
     IntegerSolver solver;       ///< of integer programs
