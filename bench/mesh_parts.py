@@ -4,9 +4,9 @@
     python3 bench/mesh_parts.py [--program build/release/pavior] [--check QUALITY.py] [--out DIR] [--sizes 1,0.5]
                                 [--table docs/mesh_parts.md] [PARTS...]
 
-PARTS are directories and files, by default examples/data/mfcad and one of hexme. --check names an independent checker that is run on
-every mesh as `/usr/bin/python3 CHECK MESH` and must exit with 0. Exit code 1 if a part gave neither a valid mesh nor a
-reasoned refusal (exit code 3), or if the checker disagrees.
+PARTS are directories and files, by default examples/data/mfcad and one of hexme. --check names an independent checker
+that is run on every mesh as `/usr/bin/python3 CHECK MESH` and must exit with 0. Exit code 1 if a part gave neither a
+valid mesh nor a reasoned refusal (exit code 3), or if the checker disagrees.
 """
 import argparse
 import json

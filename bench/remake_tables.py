@@ -54,7 +54,7 @@ def merge(old, new, keys):
         elif differ:
             changes.append(f"{' '.join(key)}: " + ", ".join(f"{n} {known[n]} -> {row.get(n, '')}" for n in differ))
         shown = known if known and not differ else {n: row.get(n, "") for n in names}
-        lines = [*lines, "| " + " | ".join(shown[n] for n in names) + " |\n"]
+        lines.append("| " + " | ".join(shown[n] for n in names) + " |\n")
     changes += [f"{' '.join(key)}: gone" for key in before if key not in after]
     return lines, changes
 

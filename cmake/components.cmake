@@ -27,7 +27,7 @@ if(PAVIOR_BUILD_COMPILED)
   target_compile_definitions(pavior_compiled PUBLIC PAVIOR_COMPILED)
   target_compile_options(pavior_compiled PRIVATE $<$<BOOL:${PAVIOR_ASSERTIONS}>:-UNDEBUG>)
   file(GLOB instances src/compiled/*.cpp)
-  list(FILTER units INCLUDE REGEX "/compiled/part/") # whole methods on AnyModel: up to 1 GB each
+  list(FILTER units INCLUDE REGEX "/compiled/part/") # whole methods on AnyModel: up to 1.2 GB each
   set_source_files_properties(${instances} ${units} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set_target_properties(pavior_compiled PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
 endif()

@@ -57,10 +57,10 @@ PAVIOR_INLINE void extend_heights(std::span<const Vec2> plane, std::span<const Q
 /// number of right-hand sides. Every other node must be connected with a given one.
 class InnerLaplace {
 public:
-    PAVIOR_INLINE InnerLaplace(std::span<const Vec2> plane, std::span<const QuadCorners> quads, std::size_t given);
+    InnerLaplace(std::span<const Vec2> plane, std::span<const QuadCorners> quads, std::size_t given);
 
     /// Values on the inner nodes, one row each, for rows of values on the given ones.
-    [[nodiscard]] PAVIOR_INLINE Eigen::MatrixX2d solve(const Eigen::MatrixX2d& given) const;
+    [[nodiscard]] Eigen::MatrixX2d solve(const Eigen::MatrixX2d& given) const;
 
 private:
     std::size_t inner_;

@@ -27,10 +27,10 @@ public:
     /// No equations.
     GraphLaplacian() = default;
     /// Every unknown must be connected with a given node.
-    PAVIOR_INLINE GraphLaplacian(std::int64_t unknowns, std::int64_t given, std::span<const Edge> edges);
+    GraphLaplacian(std::int64_t unknowns, std::int64_t given, std::span<const Edge> edges);
 
     /// The unknowns for one set of given values, by column. No unknowns: an empty vector.
-    [[nodiscard]] PAVIOR_INLINE Eigen::VectorXd solve(const Eigen::Ref<const Eigen::VectorXd>& given) const;
+    [[nodiscard]] Eigen::VectorXd solve(const Eigen::Ref<const Eigen::VectorXd>& given) const;
 
 private:
     struct Factor;

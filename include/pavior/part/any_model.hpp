@@ -5,10 +5,14 @@
 #include <pavior/brep/brep.hpp>
 #include <pavior/part/model_extras.hpp>
 
+#include <array>
 #include <concepts>
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 
 namespace pavior {
 
