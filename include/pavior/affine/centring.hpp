@@ -96,9 +96,8 @@ template <class Derived>
 
 /// \cond
 /// The scalars and dimensions that pavior::compiled holds of every template of affine/.
-#define PAVIOR_AFFINE_SIZES(apply, prefix)                                                            \
-    apply(prefix, float, 2) apply(prefix, float, 3) apply(prefix, double, 2) apply(prefix, double, 3) \
-        apply(prefix, double, 4) apply(prefix, double, Eigen::Dynamic)
+#define PAVIOR_AFFINE_SIZES(apply, prefix) \
+    apply(prefix, double, 2) apply(prefix, double, 3) apply(prefix, double, Eigen::Dynamic)
 #define PAVIOR_CENTRING(prefix, Scalar, N) \
     prefix template Centring<Scalar, N> centring<Scalar, N>(PointsRef<Scalar, N>);
 #ifdef PAVIOR_COMPILED

@@ -212,8 +212,6 @@ template <point_range R>
                                                                      std::span<const std::size_t>, double);
 #ifdef PAVIOR_COMPILED
 PAVIOR_AFFINE_SIZES(PAVIOR_PSEUDO_NORMAL, extern)
-PAVIOR_PSEUDO_AREA(extern, float, 2)
-PAVIOR_PSEUDO_AREA(extern, float, 3)
 PAVIOR_PSEUDO_AREA(extern, double, 2)
 PAVIOR_PSEUDO_AREA(extern, double, 3)
 PAVIOR_PSEUDO_AREA(extern, double, Eigen::Dynamic)

@@ -17,8 +17,7 @@ PAVIOR_INLINE void analyse(SolidBlocks& solid, const Execution& execution) {
     solid.topology = tet_topology(solid.reference, execution);
     solid.classes = classify(solid.reference, solid.topology, execution);
     solid.complex = cell_complex(solid.reference, solid.topology, solid.classes, execution);
-    check_stop(execution.stop);
-    solid.report.dual = verify_dual(solid.reference, solid.topology, solid.classes, solid.complex);
+    solid.report.dual = verify_dual(solid.reference, solid.topology, solid.classes, solid.complex, execution);
 }
 
 PAVIOR_INLINE void make_blocks(SolidBlocks& solid, const BlockOptions& options) {

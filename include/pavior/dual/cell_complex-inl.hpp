@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <stop_token>
 #include <vector>
 
 namespace pavior {
@@ -28,7 +29,8 @@ PAVIOR_INLINE void number_cells(const TetTopology& topology, const EntityClasses
     out.cells = first_members(out.tet_cell, count);
 }
 
-PAVIOR_INLINE void number_patches(const TetTopology& topology, const EntityClasses& classes, CellComplex& out) {
+PAVIOR_INLINE void number_patches(const TetTopology& topology, const EntityClasses& classes,
+                                  const std::stop_token& stop, CellComplex& out) {
     DisjointSets sets(topology.faces.size());
     std::vector<Index> first_of_edge(topology.edges.size(), no_index);
     std::vector<Index> first_of_node(topology.node_count(), no_index);
@@ -36,7 +38,7 @@ PAVIOR_INLINE void number_patches(const TetTopology& topology, const EntityClass
         first = first == no_index ? f : first;
         sets.unite(f, first);
     };
-    for (const Index f : IndexRange(topology.faces.size())) {
+    for (const Index f : stoppable(IndexRange(topology.faces.size()), stop)) {
         if (classes.face[f] != EntityClass::layer) {
             continue;
         }

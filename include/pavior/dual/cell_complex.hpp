@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace pavior {
@@ -89,7 +90,8 @@ namespace detail {
 PAVIOR_INLINE void number_cells(const TetTopology& topology, const EntityClasses& classes, Execution execution,
                                 CellComplex& out);
 
-PAVIOR_INLINE void number_patches(const TetTopology& topology, const EntityClasses& classes, CellComplex& out);
+PAVIOR_INLINE void number_patches(const TetTopology& topology, const EntityClasses& classes,
+                                  const std::stop_token& stop, CellComplex& out);
 
 }  // namespace detail
 
@@ -100,22 +102,24 @@ template <tet_mesh M>
                                        Execution execution = sequential) {
     CellComplex out;
     out.node_vertex.assign(topology.node_count(), no_index);
-    for (const Index i : IndexRange(topology.node_count())) {
+    for (const Index i : stoppable(IndexRange(topology.node_count()), execution.stop)) {
         if (classes.node[i] == EntityClass::hexahedron) {
             out.node_vertex[i] = static_cast<Index>(out.vertices.size());
             out.vertices.push_back(i);
         }
     }
     detail::number_cells(topology, classes, execution, out);
-    check_stop(execution.stop);
-    detail::number_patches(topology, classes, out);
-    detail::ChainTracer(topology, classes, out).run();
-    check_stop(execution.stop);
-    detail::LoopTracer(mesh, topology, classes, out).run();
-    check_stop(execution.stop);
-    detail::CornerFinder(mesh, topology, classes, out).run();
+    detail::number_patches(topology, classes, execution.stop, out);
+    detail::ChainTracer(topology, classes, out).run(execution.stop);
+    detail::LoopTracer(mesh, topology, classes, out).run(execution.stop);
+    detail::CornerFinder(mesh, topology, classes, out).run(execution.stop);
     return out;
 }
+
+#ifdef PAVIOR_COMPILED
+extern template CellComplex cell_complex<ReferenceMesh>(const ReferenceMesh&, const TetTopology&, const EntityClasses&,
+                                                        Execution);
+#endif
 
 }  // namespace pavior
 

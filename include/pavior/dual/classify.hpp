@@ -3,6 +3,7 @@
 /// Classes of the faces, edges and nodes of a reference mesh (Algorithms 5.9 to 5.11 \cite roca2009).
 
 #include <pavior/core/parallel_for.hpp>
+#include <pavior/core/stop.hpp>
 #include <pavior/dual/reference_mesh.hpp>
 #include <pavior/dual/tet_topology.hpp>
 
@@ -43,7 +44,11 @@ template <classified_tet_mesh M>
             classes[f] = topology.boundary(static_cast<Index>(f)) ? EntityClass::layer : EntityClass::free;
         }
     });
+    std::size_t found = 0;
     for (const TriCorners& nodes : feature_access<M>::layers(mesh)) {
+        if (++found % 1024 == 0) {
+            check_stop(execution.stop);
+        }
         const Index f = topology.face(nodes);
         if (f == no_index) {
             throw InputError(ErrorCode::bad_index,
@@ -61,7 +66,7 @@ template <classified_tet_mesh M>
 [[nodiscard]] std::vector<EntityClass> classify_edges(const M& mesh, const TetTopology& topology,
                                                       const std::vector<EntityClass>& faces, Execution execution) {
     std::vector<std::uint8_t> layers(topology.edges.size(), 0);
-    for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (const Index f : stoppable(IndexRange(faces.size()), execution.stop)) {
         if (faces[f] == EntityClass::layer) {
             for (const Index e : topology.face_edges[f]) {
                 layers[e] = static_cast<std::uint8_t>(std::min(3, layers[e] + 1));
@@ -90,10 +95,10 @@ template <classified_tet_mesh M>
 /// Algorithm 5.11.
 template <classified_tet_mesh M>
 [[nodiscard]] std::vector<EntityClass> classify_nodes(const M& mesh, const TetTopology& topology,
-                                                      const std::vector<EntityClass>& edges) {
+                                                      const std::vector<EntityClass>& edges, Execution execution) {
     std::vector<std::uint8_t> stacks(topology.node_count(), 0);
     std::vector<EntityClass> classes(stacks.size(), EntityClass::free);
-    for (std::size_t e = 0; e < edges.size(); ++e) {
+    for (const Index e : stoppable(IndexRange(edges.size()), execution.stop)) {
         if (edges[e] == EntityClass::free) {
             continue;
         }
@@ -124,8 +129,13 @@ template <classified_tet_mesh M>
     EntityClasses classes;
     classes.face = detail::classify_faces(mesh, topology, execution);
     classes.edge = detail::classify_edges(mesh, topology, classes.face, execution);
-    classes.node = detail::classify_nodes(mesh, topology, classes.edge);
+    classes.node = detail::classify_nodes(mesh, topology, classes.edge, execution);
     return classes;
 }
+
+#ifdef PAVIOR_COMPILED
+extern template TetTopology tet_topology<ReferenceMesh>(const ReferenceMesh&, Execution);
+extern template EntityClasses classify<ReferenceMesh>(const ReferenceMesh&, const TetTopology&, Execution);
+#endif
 
 }  // namespace pavior

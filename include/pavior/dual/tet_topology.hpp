@@ -81,7 +81,7 @@ namespace detail {
 /// tetrahedron for the result and 40 more while it is made; the same bytes for any number of threads. Twice as fast
 /// where neighbouring tetrahedra stand close together in memory (spatial_order.hpp), however the nodes are numbered.
 /// \throws InputError bad_index (tetrahedron with an unknown node or one node twice; its id), non_manifold (triangle of
-///         three tetrahedra; its nodes), overflow (2^30 tetrahedra or more)
+///         three tetrahedra; its nodes), overflow (2^30 tetrahedra or more); Stopped
 template <tet_mesh M>
 [[nodiscard]] TetTopology tet_topology(const M& mesh, Execution execution = sequential) {
     const std::size_t nodes = node_count(mesh);
@@ -90,7 +90,7 @@ template <tet_mesh M>
         throw InputError(ErrorCode::overflow, "2^30 tetrahedra or more: " + std::to_string(tets));
     }
     TetTopology out;
-    out.node_rank = detail::rank_nodes(mesh);
+    out.node_rank = detail::rank_nodes(mesh, execution.stop);
     const std::size_t pieces = std::clamp<std::size_t>(tets / 4096, 1, thread_count(execution));
     const detail::RankedTets ranked = detail::ranked_tets(mesh, out.node_rank, execution, pieces);
     out.tet_edges.resize(tets);
@@ -99,8 +99,9 @@ template <tet_mesh M>
     out.face_begin.assign(nodes + 1, 0);
     const std::vector<std::size_t> cuts = detail::balanced_cuts(ranked, pieces);
     std::vector<detail::TopologyPiece<TetTopology>> parts(pieces, {ranked, out});
-    detail::for_pieces(execution, pieces, pieces,
-                       [&](std::size_t p, std::size_t, std::size_t) { parts[p].run(cuts[p], cuts[p + 1]); });
+    detail::for_pieces(execution, pieces, pieces, [&](std::size_t p, std::size_t, std::size_t) {
+        parts[p].run(cuts[p], cuts[p + 1], execution.stop);
+    });
     detail::join_topology_pieces(ranked, parts, cuts, out, execution);
     detail::finish_face_edges(out, execution);
     return out;

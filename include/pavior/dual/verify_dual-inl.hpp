@@ -1,11 +1,13 @@
 #pragma once
 
+#include <pavior/core/stop.hpp>
 #include <pavior/dual/verify_dual.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -29,7 +31,7 @@ PAVIOR_INLINE DualReport DualVerifier::run() {
 }
 
 PAVIOR_INLINE void DualVerifier::check_corners() {
-    for (const CellCorner& corner : complex_.corners) {
+    for (const CellCorner& corner : stoppable(std::span(complex_.corners), stop_)) {
         if (corner.rings != 1) {
             add(DualFault::corner_not_disc, corner.vertex, corner.cell, corner.rings);
         } else if (corner.valence != 3) {
@@ -39,7 +41,7 @@ PAVIOR_INLINE void DualVerifier::check_corners() {
 }
 
 PAVIOR_INLINE void DualVerifier::check_chains() {
-    for (const Index c : IndexRange(complex_.chains.size())) {
+    for (const Index c : stoppable(IndexRange(complex_.chains.size()), stop_)) {
         const auto [a, b] = complex_.chains[c].ends;
         const auto path = complex_.chain_path(c);
         if (a == no_index && b == no_index && path.front() == path.back()) {
@@ -61,7 +63,7 @@ PAVIOR_INLINE void DualVerifier::check_chains() {
 PAVIOR_INLINE void DualVerifier::check_dangling_layers() {
     loose_.assign(complex_.patches.size(), 0);
     std::vector<Index> first(complex_.patches.size(), no_index);
-    for (const Index f : fans_.faces()) {
+    for (const Index f : stoppable(fans_.faces(), stop_)) {
         for (const Index e : topology_.face_edges[f]) {
             if (fans_.dangling(e)) {
                 const Index p = complex_.face_patch[f];
@@ -81,7 +83,7 @@ PAVIOR_INLINE std::vector<std::int64_t> DualVerifier::patch_characteristics() co
     std::vector<std::int64_t> result(complex_.patches.size(), 0);
     std::vector<char> edge_seen(topology_.edges.size(), 0);
     std::vector<char> node_seen(topology_.node_count(), 0);
-    for (const Index f : fans_.faces()) {
+    for (const Index f : stoppable(fans_.faces(), stop_)) {
         std::int64_t& sum = result[complex_.face_patch[f]];
         ++sum;
         for (const Index e : topology_.face_edges[f]) {
@@ -96,7 +98,7 @@ PAVIOR_INLINE std::vector<std::int64_t> DualVerifier::patch_characteristics() co
 
 PAVIOR_INLINE void DualVerifier::check_patches() {
     const std::vector<std::int64_t> characteristic = patch_characteristics();
-    for (const Index p : IndexRange(complex_.patches.size())) {
+    for (const Index p : stoppable(IndexRange(complex_.patches.size()), stop_)) {
         if (loose_[p] != 0) {
             continue;
         }
@@ -124,7 +126,7 @@ PAVIOR_INLINE void DualVerifier::check_patches() {
 
 PAVIOR_INLINE void DualVerifier::check_touching() {
     std::vector<std::pair<Index, Index>> uses;  // stack edge, patch
-    for (const Index f : fans_.faces()) {
+    for (const Index f : stoppable(fans_.faces(), stop_)) {
         for (const Index e : topology_.face_edges[f]) {
             if (complex_.edge_chain[e] != no_index) {
                 uses.emplace_back(e, complex_.face_patch[f]);
@@ -139,12 +141,12 @@ PAVIOR_INLINE void DualVerifier::check_touching() {
 
 PAVIOR_INLINE void DualVerifier::check_cells() {
     std::vector<std::int64_t> characteristic(complex_.cells.size(), 0);
-    for (const Index cell : complex_.tet_cell) {
+    for (const Index cell : stoppable(std::span(complex_.tet_cell), stop_)) {
         --characteristic[cell];
     }
     std::vector<char> edge_seen(topology_.edges.size(), 0);
     std::vector<char> node_seen(topology_.node_count(), 0);
-    for (const Index f : IndexRange(topology_.faces.size())) {
+    for (const Index f : stoppable(IndexRange(topology_.faces.size()), stop_)) {
         const auto [t, other] = topology_.face_tets[f];
         std::int64_t& sum = characteristic[complex_.tet_cell[t]];
         if (classes_.face[f] == EntityClass::layer) {
@@ -171,7 +173,7 @@ PAVIOR_INLINE void DualVerifier::check_cells() {
 
 PAVIOR_INLINE std::vector<Index> DualVerifier::inner_sides() const {
     DisjointSets sides(2 * topology_.faces.size());
-    for (const Index f : fans_.faces()) {
+    for (const Index f : stoppable(fans_.faces(), stop_)) {
         for (const Index side : {0U, 1U}) {
             const Index t = topology_.face_tets[f][side];
             for (std::size_t k = 0; t != no_index && k < 3; ++k) {
@@ -180,7 +182,7 @@ PAVIOR_INLINE std::vector<Index> DualVerifier::inner_sides() const {
         }
     }
     std::vector<Index> count(complex_.cells.size(), 0);
-    for (const Index f : fans_.faces()) {
+    for (const Index f : stoppable(fans_.faces(), stop_)) {
         for (const Index side : {0U, 1U}) {
             const Index t = topology_.face_tets[f][side];
             if (t != no_index && sides.root(2 * f + side) == 2 * f + side) {
@@ -211,7 +213,7 @@ PAVIOR_INLINE void DualVerifier::check_orphans() {
     std::array<std::vector<char>, 4> used{
         std::vector<char>(complex_.vertices.size(), 0), std::vector<char>(complex_.chains.size(), 0),
         std::vector<char>(complex_.patches.size(), 0), std::vector<char>(complex_.cells.size(), 0)};
-    for (const CellCorner& corner : complex_.corners) {
+    for (const CellCorner& corner : stoppable(std::span(complex_.corners), stop_)) {
         if (corner.regular()) {
             used[0][corner.vertex] = used[3][corner.cell] = 1;
             for (std::size_t k = 0; k < 3; ++k) {

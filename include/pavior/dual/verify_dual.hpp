@@ -3,12 +3,14 @@
 /// The conditions under which the cell complex of a reference mesh gives valid hexahedral blocks.
 
 #include <pavior/core/compiled.hpp>
+#include <pavior/core/execution.hpp>
 #include <pavior/dual/cell_complex.hpp>
 #include <pavior/dual/detail/layer_fans.hpp>
 #include <pavior/dual/dual_report.hpp>
 
 #include <algorithm>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 namespace pavior {
@@ -18,8 +20,9 @@ namespace detail {
 /// Collects the violations.
 class DualVerifier {
 public:
-    DualVerifier(const TetTopology& topology, const EntityClasses& classes, const CellComplex& complex)
-        : topology_(topology), classes_(classes), complex_(complex), fans_(topology, classes) {}
+    DualVerifier(const TetTopology& topology, const EntityClasses& classes, const CellComplex& complex,
+                 const std::stop_token& stop)
+        : topology_(topology), classes_(classes), complex_(complex), stop_(stop), fans_(topology, classes, stop) {}
 
     DualReport run();
 
@@ -61,6 +64,7 @@ private:
     const TetTopology& topology_;
     const EntityClasses& classes_;
     const CellComplex& complex_;
+    std::stop_token stop_;
     LayerFans fans_;
     std::vector<Index> loose_;  ///< dangling edges of each patch
     DualReport report_;
@@ -77,11 +81,12 @@ private:
 /// 5. every vertex, chain, patch and cell belongs to a block.
 /// Discs and balls are recognised by counting: by the Euler characteristic of the open stratum and the number of pieces
 /// of its rim. \p topology, \p classes and \p complex belong to \p mesh, which lies in space without overlap.
-/// O(n), apart from sorting the layer faces at stack edges; about 120 bytes a tetrahedron while it works.
+/// One thread. O(n), apart from sorting the layer faces at stack edges; about 120 bytes a tetrahedron while it works.
+/// \throws Stopped
 template <tet_mesh M>
 [[nodiscard]] DualReport verify_dual(const M& /*mesh*/, const TetTopology& topology, const EntityClasses& classes,
-                                     const CellComplex& complex) {
-    return detail::DualVerifier(topology, classes, complex).run();
+                                     const CellComplex& complex, const Execution& execution = sequential) {
+    return detail::DualVerifier(topology, classes, complex, execution.stop).run();
 }
 
 /// The same with topology, classes and complex made on the way.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <pavior/core/stop.hpp>
 #include <pavior/dual/verify_dual.hpp>
 #include <pavior/marking/cell_snapshot.hpp>
 #include <pavior/math/hexahedron.hpp>
@@ -19,8 +18,7 @@ PAVIOR_INLINE CellSnapshot cell_snapshot(const ReferenceMesh& mesh, const Execut
     s.topology = tet_topology(mesh, execution);
     s.classes = classify(mesh, s.topology, execution);
     s.complex = cell_complex(mesh, s.topology, s.classes, execution);
-    check_stop(execution.stop);
-    s.report = verify_dual(mesh, s.topology, s.classes, s.complex);
+    s.report = verify_dual(mesh, s.topology, s.classes, s.complex, execution);
     return s;
 }
 

@@ -136,7 +136,6 @@ SmallSvd<Scalar, R, C> small_svd(const Eigen::Matrix<Scalar, R, C>& M) {
 #ifdef PAVIOR_COMPILED
 #define PAVIOR_EXTERN_SVD(Scalar, R, C) \
     extern template SmallSvd<Scalar, R, C> small_svd<Scalar, R, C>(const Eigen::Matrix<Scalar, R, C>&);
-PAVIOR_SMALL_SVD_SIZES(PAVIOR_EXTERN_SVD, float)
 PAVIOR_SMALL_SVD_SIZES(PAVIOR_EXTERN_SVD, double)
 #undef PAVIOR_EXTERN_SVD
 #endif

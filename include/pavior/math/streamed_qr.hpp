@@ -61,10 +61,6 @@ void StreamedQr<Scalar, K>::reduce() {
 }
 
 #ifdef PAVIOR_COMPILED
-extern template class StreamedQr<float, 4>;
-extern template class StreamedQr<float, 6>;
-extern template class StreamedQr<float, 8>;
-extern template class StreamedQr<float, Eigen::Dynamic>;
 extern template class StreamedQr<double, 4>;
 extern template class StreamedQr<double, 6>;
 extern template class StreamedQr<double, 8>;

@@ -3,6 +3,7 @@
 /// The chains of a cell complex.
 
 #include <pavior/core/disjoint_sets.hpp>
+#include <pavior/core/stop.hpp>
 #include <pavior/dual/classify.hpp>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -24,11 +26,11 @@ public:
     ChainTracer(const TetTopology& topology, const EntityClasses& classes, Complex& out)
         : topology_(topology), classes_(classes), out_(out), at_node_(topology.node_count(), {no_index, no_index}) {}
 
-    void run() {
-        number();
+    void run(const std::stop_token& stop = {}) {
+        number(stop);
         const std::vector<Index> first = first_members(out_.edge_chain, count_);
         std::vector<std::array<Index, 2>> start(count_, {no_index, no_index});  // edge and node
-        for (const Index e : IndexRange(topology_.edges.size())) {
+        for (const Index e : stoppable(IndexRange(topology_.edges.size()), stop)) {
             for (const Index i : topology_.edges[e]) {
                 const Index chain = out_.edge_chain[e];
                 if (chain != no_index && start[chain][0] == no_index && at_node_[i][1] == no_index) {
@@ -36,7 +38,7 @@ public:
                 }
             }
         }
-        for (const Index chain : IndexRange(count_)) {
+        for (const Index chain : stoppable(IndexRange(count_), stop)) {
             const bool closed = start[chain][0] == no_index;
             const Index e = closed ? first[chain] : start[chain][0];
             const Index from = closed ? topology_.edges[e][0] : start[chain][1];
@@ -47,9 +49,9 @@ public:
     }
 
 private:
-    void number() {
+    void number(const std::stop_token& stop) {
         DisjointSets sets(topology_.edges.size());
-        for (const Index e : IndexRange(topology_.edges.size())) {
+        for (const Index e : stoppable(IndexRange(topology_.edges.size()), stop)) {
             if (classes_.edge[e] != EntityClass::stack) {
                 continue;
             }

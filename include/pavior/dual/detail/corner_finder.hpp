@@ -3,6 +3,7 @@
 /// The corners of the cells of a cell complex.
 
 #include <pavior/core/disjoint_sets.hpp>
+#include <pavior/core/stop.hpp>
 #include <pavior/dual/classify.hpp>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -24,8 +26,8 @@ public:
     CornerFinder(const M& mesh, const TetTopology& topology, const EntityClasses& classes, Complex& out)
         : mesh_(mesh), topology_(topology), classes_(classes), out_(out), seen_(topology.tet_faces.size(), 0) {}
 
-    void run() {
-        for (const Index t : IndexRange(seen_.size())) {
+    void run(const std::stop_token& stop = {}) {
+        for (const Index t : stoppable(IndexRange(seen_.size()), stop)) {
             const TetCorners c = tet(mesh_, t);
             for (std::size_t k = 0; k < 4; ++k) {
                 if (classes_.node[c[k]] == EntityClass::hexahedron && (seen_[t] >> k & 1) == 0) {

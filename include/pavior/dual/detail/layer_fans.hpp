@@ -3,12 +3,15 @@
 /// The layer faces round edges and nodes, for verify_dual().
 
 #include <pavior/core/disjoint_sets.hpp>
+#include <pavior/core/stop.hpp>
 #include <pavior/dual/classify.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <stop_token>
 #include <vector>
 
 namespace pavior::detail {
@@ -16,12 +19,13 @@ namespace pavior::detail {
 /// The layer faces of a mesh, and their corners at nodes.
 class LayerFans {
 public:
-    LayerFans(const TetTopology& topology, const EntityClasses& classes)
+    LayerFans(const TetTopology& topology, const EntityClasses& classes, const std::stop_token& stop = {})
         : topology_(topology),
           classes_(classes),
+          stop_(stop),
           uses_(topology.edges.size(), 0),
           first_(topology.edges.size(), no_index) {
-        for (const Index f : IndexRange(topology.faces.size())) {
+        for (const Index f : stoppable(IndexRange(topology.faces.size()), stop_)) {
             if (classes.face[f] == EntityClass::layer) {
                 faces_.push_back(f);
                 for (const Index e : topology.face_edges[f]) {
@@ -31,7 +35,7 @@ public:
         }
     }
 
-    [[nodiscard]] const std::vector<Index>& faces() const { return faces_; }
+    [[nodiscard]] std::span<const Index> faces() const { return faces_; }
     /// True at a layer edge with one layer face.
     [[nodiscard]] bool dangling(Index edge) const {
         return classes_.edge[edge] == EntityClass::layer && uses_[edge] == 1;
@@ -41,7 +45,7 @@ public:
     /// one stack edge to the other. Nodes where layers or chains dangle are left out.
     [[nodiscard]] std::vector<Index> pinched_nodes() {
         DisjointSets fans(3 * faces_.size());
-        for (const Index l : IndexRange(faces_.size())) {
+        for (const Index l : stoppable(IndexRange(faces_.size()), stop_)) {
             for (const Index e : topology_.face_edges[faces_[l]]) {
                 if (classes_.edge[e] == EntityClass::layer && first_[e] == no_index) {
                     first_[e] = l;
@@ -56,7 +60,7 @@ public:
         const std::vector<std::array<Index, 2>> ends = fan_ends(fans);
         std::vector<Index> count(topology_.node_count(), 0);
         std::vector<Index> pinched;
-        for (const Index c : IndexRange(fans.size())) {
+        for (const Index c : stoppable(IndexRange(fans.size()), stop_)) {
             const Index i = topology_.faces[faces_[c / 3]][c % 3];
             if (fans.root(c) != c || loose[i] != 0 || classes_.node[i] == EntityClass::hexahedron) {
                 continue;
@@ -80,7 +84,7 @@ private:
     [[nodiscard]] std::vector<char> loose_nodes() const {
         std::vector<char> loose(topology_.node_count(), 0);
         std::vector<std::uint8_t> stacks(topology_.node_count(), 0);
-        for (const Index e : IndexRange(topology_.edges.size())) {
+        for (const Index e : stoppable(IndexRange(topology_.edges.size()), stop_)) {
             for (const Index i : topology_.edges[e]) {
                 loose[i] = dangling(e) ? 1 : loose[i];
                 stacks[i] = static_cast<std::uint8_t>(
@@ -96,7 +100,7 @@ private:
     /// The stack edges at which each fan ends.
     [[nodiscard]] std::vector<std::array<Index, 2>> fan_ends(DisjointSets<>& fans) const {
         std::vector<std::array<Index, 2>> ends(fans.size(), {no_index, no_index});
-        for (const Index l : IndexRange(faces_.size())) {
+        for (const Index l : stoppable(IndexRange(faces_.size()), stop_)) {
             for (const Index e : topology_.face_edges[faces_[l]]) {
                 if (classes_.edge[e] == EntityClass::stack) {
                     for (const Index i : topology_.edges[e]) {
@@ -111,6 +115,7 @@ private:
 
     const TetTopology& topology_;
     const EntityClasses& classes_;
+    std::stop_token stop_;
     std::vector<Index> faces_;
     std::vector<std::uint8_t> uses_;  ///< layer faces of each edge, 3: or more
     std::vector<Index> first_;

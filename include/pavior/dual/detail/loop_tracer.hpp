@@ -3,6 +3,7 @@
 /// The boundary loops of the patches of a cell complex.
 
 #include <pavior/core/disjoint_sets.hpp>
+#include <pavior/core/stop.hpp>
 #include <pavior/dual/classify.hpp>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -29,14 +31,14 @@ public:
           partner_(topology.edges.size(), 0),
           seen_(topology.faces.size(), 0) {}
 
-    void run() {
+    void run(const std::stop_token& stop = {}) {
         std::vector<std::pair<Index, std::size_t>> rim;  // patch, 3 * face + local edge
-        for (const Index f : IndexRange(topology_.faces.size())) {
+        for (const Index f : stoppable(IndexRange(topology_.faces.size()), stop)) {
             for (const Index e : topology_.face_edges[f]) {
                 partner_[e] ^= classes_.face[f] == EntityClass::layer ? f + 1 : 0;
             }
         }
-        for (const Index f : IndexRange(topology_.faces.size())) {
+        for (const Index f : stoppable(IndexRange(topology_.faces.size()), stop)) {
             for (std::size_t k = 0; k < 3; ++k) {
                 if (classes_.face[f] == EntityClass::layer && on_rim(f, topology_.face_edges[f][k])) {
                     rim.emplace_back(out_.face_patch[f], 3 * std::size_t{f} + k);
@@ -45,7 +47,7 @@ public:
         }
         std::sort(rim.begin(), rim.end());
         std::size_t at = 0;
-        for (const Index p : IndexRange(out_.patches.size())) {
+        for (const Index p : stoppable(IndexRange(out_.patches.size()), stop)) {
             for (; at < rim.size() && rim[at].first == p; ++at) {
                 start(static_cast<Index>(rim[at].second / 3), rim[at].second % 3);
             }

@@ -4,6 +4,7 @@
 
 #include <pavior/core/execution.hpp>
 #include <pavior/core/parallel_for.hpp>
+#include <pavior/core/stop.hpp>
 #include <pavior/dual/detail/check_tet.hpp>
 #include <pavior/mesh/mesh_access.hpp>
 
@@ -11,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -19,11 +21,11 @@ namespace pavior::detail {
 /// Ranks nodes in the order in which the tetrahedra first touch them, nodes of no tetrahedron last. If neighbouring
 /// tetrahedra stand close together in memory, then so do nodes of like rank, however the nodes are numbered.
 template <tet_mesh M>
-[[nodiscard]] std::vector<Index> rank_nodes(const M& mesh) {
+[[nodiscard]] std::vector<Index> rank_nodes(const M& mesh, const std::stop_token& stop = {}) {
     const std::size_t nodes = node_count(mesh);
     std::vector<Index> rank(nodes, no_index);
     Index count = 0;
-    for (const Index t : IndexRange(tet_count(mesh))) {
+    for (const Index t : stoppable(IndexRange(tet_count(mesh)), stop)) {
         const TetCorners c = tet(mesh, t);
         check_tet(c, t, nodes);
         for (const Index i : c) {
@@ -110,8 +112,9 @@ template <tet_mesh M>
         for (std::vector<Index>& count : places[p]) {
             count.assign(nodes, 0);
         }
-        for (std::size_t t = begin; t < end; ++t) {
-            const TetCorners c = tet(mesh, static_cast<Index>(t));
+        for (const Index t :
+             stoppable(IndexRange(static_cast<Index>(begin), static_cast<Index>(end)), execution.stop)) {
+            const TetCorners c = tet(mesh, t);
             const auto sorted = sorted_corners({rank[c[0]], rank[c[1]], rank[c[2]], rank[c[3]]});
             for (std::size_t k = 0; k < 4; ++k) {
                 out.ranks[t][k] = static_cast<Index>(sorted[k] >> 2U);
@@ -124,9 +127,10 @@ template <tet_mesh M>
     });
     make_places(places, out);
     for_pieces(execution, pieces, tets, [&](std::size_t p, std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
+        for (const Index t :
+             stoppable(IndexRange(static_cast<Index>(begin), static_cast<Index>(end)), execution.stop)) {
             for (std::size_t role = 0; role < 3; ++role) {
-                out.tets[role][places[p][role][out.ranks[t][role]]++] = static_cast<Index>(t);
+                out.tets[role][places[p][role][out.ranks[t][role]]++] = t;
             }
         }
     });

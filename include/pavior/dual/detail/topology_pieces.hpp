@@ -5,6 +5,7 @@
 #include <pavior/core/error.hpp>
 #include <pavior/core/execution.hpp>
 #include <pavior/core/parallel_for.hpp>
+#include <pavior/core/stop.hpp>
 #include <pavior/dual/detail/ranked_tets.hpp>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -33,14 +35,14 @@ public:
     std::vector<std::array<Index, 3>> face_edges;
     static constexpr Index pending = no_index - 7;
 
-    void run(std::size_t begin, std::size_t end) {
+    void run(std::size_t begin, std::size_t end, const std::stop_token& stop) {
         const std::size_t uses = tets_.begin[0][end] - tets_.begin[0][begin];
         slot_.assign(tets_.node.size(), 0);
         edges.reserve(uses * 5 / 4);
         faces.reserve(uses * 17 / 8);
         face_tets.reserve(uses * 17 / 8);
         face_edges.reserve(uses * 17 / 8);
-        for (std::size_t r = begin; r < end; ++r) {
+        for (const Index r : stoppable(IndexRange(static_cast<Index>(begin), static_cast<Index>(end)), stop)) {
             out_.edge_begin[r] = static_cast<Index>(edges.size());
             out_.face_begin[r] = static_cast<Index>(faces.size());
             number_edges(r);
