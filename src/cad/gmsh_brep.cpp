@@ -64,10 +64,7 @@ GmshBrep GmshBrep::load(const std::filesystem::path& file, const CadOptions& opt
     const auto populate = [&] { detail::import_file(file); };
     if (options.trial_seconds > 0) {
         const auto trial = [&] { std::make_unique<Data>()->read(populate, options); };
-        if (const std::string failure = detail::try_in_child(trial, options.trial_seconds); !failure.empty()) {
-            const std::string prefix = FileError(file.string(), "").what();
-            throw FileError(file.string(), failure.rfind(prefix, 0) == 0 ? failure.substr(prefix.size()) : failure);
-        }
+        detail::try_reading(file, trial, options.trial_seconds, options.stop);
     }
     const detail::Hush hush;
     auto data = std::make_unique<Data>();

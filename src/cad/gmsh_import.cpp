@@ -1,18 +1,15 @@
 #include "gmsh_import.hpp"
 
+#include "../common/child_process.hpp"
 #include "../common/file_extension.hpp"
+
+#include <pavior/core/stop.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <chrono>
-#include <csignal>
-#include <cstring>
 #include <fstream>
-
-#include <poll.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <sstream>
+#include <stdexcept>
 
 namespace pavior::detail {
 
@@ -51,67 +48,13 @@ std::string physical_name(int dim, int tag) {
     return {};
 }
 
-/// Reads everything from \p descriptor until it closes, the time is over, or OpenCASCADE complains about the syntax
-/// (it then goes on with what it understood, and may never come back). Returns false when the time is over.
-bool drain(int descriptor, double seconds, std::string& text) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
-    std::array<char, 4096> buffer{};
-    for (;;) {
-        const std::chrono::duration<double, std::milli> left = end - std::chrono::steady_clock::now();
-        if (left.count() <= 0) {
-            return false;
-        }
-        pollfd wait{descriptor, POLLIN, 0};
-        if (poll(&wait, 1, static_cast<int>(std::min(left.count() + 1, 1e6))) <= 0) {
-            continue;
-        }
-        const ssize_t got = read(descriptor, buffer.data(), buffer.size());
-        if (got < 0 && errno == EINTR) {
-            continue;
-        }
-        if (got <= 0) {
-            return true;
-        }
-        text.append(buffer.data(), static_cast<std::size_t>(got));
-        if (text.find("ERR StepFile") != std::string::npos || text.size() > (1U << 20U)) {
-            return true;
-        }
-    }
-}
+/// OpenCASCADE complains about the syntax, goes on with what it understood, and may never come back.
+constexpr const char* syntax_mark = "ERR StepFile";
 
-constexpr const char* message_mark = "\x01pavior:";
-
-/// What a child does: never returns.
-[[noreturn]] void run_child(const std::function<void()>& task, int descriptor) {
-    dup2(descriptor, STDOUT_FILENO);
-    dup2(descriptor, STDERR_FILENO);
-    std::string message;
-    try {
-        task();
-    } catch (const std::exception& error) {
-        message = message_mark + std::string(error.what());
-    } catch (...) {
-        message = message_mark + last_gmsh_error();
-    }
-    if (!message.empty() && write(descriptor, message.data(), message.size()) < 0) {
-        _exit(2);
-    }
-    _exit(message.empty() ? 0 : 1);
-}
-
-std::string child_verdict(const std::string& text, int status) {
-    if (const std::size_t syntax = text.find("ERR StepFile"); syntax != std::string::npos) {
-        const std::size_t detail = text.find(':', syntax);
-        const std::size_t stop = text.find_first_of("*\n", detail);
-        return "syntax errors in the file" + (detail == std::string::npos ? "" : text.substr(detail, stop - detail));
-    }
-    if (const std::size_t mark = text.find(message_mark); mark != std::string::npos) {
-        return text.substr(mark + std::char_traits<char>::length(message_mark));
-    }
-    if (WIFSIGNALED(status)) {
-        return "the CAD kernel crashed on it (signal " + std::to_string(WTERMSIG(status)) + ")";
-    }
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? "" : "the CAD kernel gave up";
+std::string syntax_fault(const std::string& said) {
+    const std::size_t detail = said.find(':', said.find(syntax_mark));
+    const std::size_t stop = said.find_first_of("*\n", detail);
+    return "syntax errors in the file" + (detail == std::string::npos ? "" : said.substr(detail, stop - detail));
 }
 
 }  // namespace
@@ -165,34 +108,37 @@ void import_file(const std::filesystem::path& file) {
         [&](const std::string& message) { throw FileError(file.string(), message); });
 }
 
-std::string try_in_child(const std::function<void()>& task, double seconds) {
-    std::array<int, 2> ends{};
-    if (pipe(ends.data()) != 0) {
-        return "no pipe: " + std::string(std::strerror(errno));
+void try_reading(const std::filesystem::path& file, const std::function<void()>& task, double seconds,
+                 const std::stop_token& stop) {
+    using End = ChildAnswer::End;
+    const auto fail = [](const std::string& message) { throw std::runtime_error(message); };
+    const auto read = [&] {
+        with_gmsh([&] { task(); }, fail);
+        return std::string();
+    };
+    const auto heard_enough = [](const std::string& said) {
+        return said.find(syntax_mark) != std::string::npos || said.size() > (1U << 20U);
+    };
+    const ChildAnswer answer = run_in_child(read, {.seconds = seconds, .stop = stop, .heard_enough = heard_enough});
+    if (answer.end == End::stopped) {
+        throw Stopped();
     }
-    const pid_t child = fork();
-    if (child < 0) {
-        close(ends[0]);
-        close(ends[1]);
-        return "no child process: " + std::string(std::strerror(errno));
+    if (answer.said.find(syntax_mark) != std::string::npos) {
+        throw FileError(file.string(), syntax_fault(answer.said));
     }
-    if (child == 0) {
-        close(ends[0]);
-        run_child(task, ends[1]);
+    if (answer.end == End::timed_out) {
+        std::ostringstream text;
+        text << "the CAD kernel did not come back within " << seconds << " s";
+        throw Error(ErrorCode::cad_failure, file.string() + ": " + text.str());
     }
-    close(ends[1]);
-    std::string text;
-    const bool in_time = drain(ends[0], seconds, text);
-    close(ends[0]);
-    const bool syntax_error = text.find("ERR StepFile") != std::string::npos;
-    if (!in_time || syntax_error) {
-        kill(child, SIGKILL);
+    if (answer.end == End::died) {
+        throw FileError(file.string(), "the CAD kernel " + answer.reason + " on it");
     }
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    if (answer.end == End::threw) {
+        const std::string prefix = FileError(file.string(), "").what();
+        throw FileError(file.string(), answer.reason.rfind(prefix, 0) == 0 ? answer.reason.substr(prefix.size())
+                                                                           : answer.reason);
     }
-    return in_time ? child_verdict(text, status)
-                   : "the CAD kernel did not come back within " + std::to_string(seconds) + " seconds";
 }
 
 EntityNames read_names() {

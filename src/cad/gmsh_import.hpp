@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <stop_token>
 #include <string>
 #include <utility>
 
@@ -23,8 +24,10 @@ void check_cad_file(const std::filesystem::path& file);
 /// Puts the solids of \p file into the current Gmsh model. FileError if it holds none.
 void import_file(const std::filesystem::path& file);
 
-/// Runs \p task in a child process and returns what went wrong there: empty if nothing did.
-std::string try_in_child(const std::function<void()>& task, double seconds);
+/// Runs \p task, which reads \p file, in a child process and reports what goes wrong there. \throws FileError;
+/// Error cad_failure after so many seconds (0: no limit); Stopped
+void try_reading(const std::filesystem::path& file, const std::function<void()>& task, double seconds,
+                 const std::stop_token& stop);
 
 /// Intersects the solids of \p model. \p populate fills another model in the same way, for the names of the faces.
 /// Returns the names after the operation.

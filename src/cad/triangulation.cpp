@@ -317,9 +317,7 @@ void try_first(const std::filesystem::path& file, const TriangulationOptions& op
         } catch (const Error&) {  // what the caller is to see, with its code and ids
         }
     };
-    if (const std::string failure = detail::try_in_child(trial, options.trial_seconds); !failure.empty()) {
-        throw FileError(file.string(), failure);
-    }
+    detail::try_reading(file, trial, options.trial_seconds, options.stop);
 }
 
 }  // namespace

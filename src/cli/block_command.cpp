@@ -1,10 +1,11 @@
 #include "check.hpp"
 #include "commands.hpp"
+#include "output_files.hpp"
 #include "progress_bar.hpp"
-#include "report_file.hpp"
 
 #include <pavior/block/block_mesh_data.hpp>
 #include <pavior/block/block_solid.hpp>
+#include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/contributions/contributions.hpp>
 #include <pavior/contributions/dual_surfaces.hpp>
 #include <pavior/contributions/regions.hpp>
@@ -12,9 +13,14 @@
 #include <pavior/core/stopwatch.hpp>
 #include <pavior/io/dual_file.hpp>
 #include <pavior/io/mesh_file.hpp>
+#include <pavior/part/any_model.hpp>
 #include <pavior/part/block_reference.hpp>
+#include <pavior/part/local_lengths.hpp>
 
 #include <iostream>
+#include <map>
+#include <set>
+#include <utility>
 #include <string>
 #include <vector>
 
@@ -24,18 +30,63 @@ namespace {
 
 using Json = nlohmann::json;
 
-BlockOptions block_options(const BlockCommand& command, const Progress& progress) {
+BlockOptions block_options(const BlockCommand& command, const Guard& guard, const Progress& progress) {
     BlockOptions options;
     options.marking.marking = command.marking;
     options.marking.propagation = command.propagation;
     options.dualization = command.dualization;
-    options.execution = Execution{command.threads};
+    options.execution = Execution{command.threads, guard.stop()};
     options.progress = progress;
     if (command.size > 0.0) {
         options.refine.emplace();
         options.refine->size = command.size;
+        options.refine->curve_size = command.local.edge;
+        options.refine->patch_size = command.local.face;
     }
     return options;
+}
+
+/// Local sizes by tag. Of the solids of a CAD model only a single one may have a size, which is then that of all.
+BlockCommand with_local_sizes(BlockCommand command, const Guard& guard) {
+    const auto refuse = [](const char* message) { throw InputError(ErrorCode::bad_option, message); };
+    if (command.local.empty()) {
+        return command;
+    }
+    if (command.size <= 0) {
+        refuse("--local-size needs --size: without it the blocks themselves are written");
+    }
+    if (can_read_cad(command.input)) {
+        const GmshBrep model = GmshBrep::load(command.input, cad_options(command, guard));
+        command.local = lengths_by_tag(model, command.local);
+        if (!command.local.solid.empty() && model.solid_count() > 1) {
+            refuse("several solids become blocks of one size: use --size, or sizes of faces and edges");
+        }
+        for (const auto& [tag, size] : std::exchange(command.local.solid, {})) {
+            command.size = size;
+        }
+    } else if (!command.local.named.empty() || !command.local.solid.empty()) {
+        refuse("--local-size by name or for a solid needs a CAD model: this input has edges and faces by tag");
+    }
+    return command;
+}
+
+/// \throws InputError for a local size of an edge or face that the reference mesh does not have
+void check_tags(const BlockCommand& command, const BlockReference& input) {
+    const auto check = [](const std::map<int, double>& sizes, const std::set<int>& known, const char* kind) {
+        for (const auto& [tag, size] : sizes) {
+            if (!known.contains(tag)) {
+                throw InputError(ErrorCode::bad_option,
+                                 std::string("a local size for ") + kind + " " + std::to_string(tag) +
+                                     ", which bounds no blocks");
+            }
+        }
+    };
+    std::set<int> curves;
+    for (const FeatureEdge& edge : input.mesh.curves) {
+        curves.insert(edge.curve);
+    }
+    check(command.local.edge, curves, "edge");
+    check(command.local.face, {input.surface.face_tags.begin(), input.surface.face_tags.end()}, "face");
 }
 
 FeatureOptions feature_options(const BlockCommand& command) {
@@ -49,14 +100,14 @@ FeatureOptions feature_options(const BlockCommand& command) {
 }
 
 /// Dual surfaces and regions, to look at: also of a dual that makes no blocks.
-Json write_dual_file(const BlockCommand& command, const SolidBlocks& solid) {
-    const Execution execution{command.threads};
+Json write_dual_file(const BlockCommand& command, const SolidBlocks& solid, const Guard& guard, OutputFiles& files) {
+    const Execution execution{command.threads, guard.stop()};
     const auto contributions =
         add_contributions(solid.reference, solid.topology, solid.classes, VertexRule::repaired, execution);
     const Regions all = regions(solid.reference, solid.topology, contributions);
     const DualSurfaces surfaces = dual_surfaces(solid.reference, solid.topology, contributions, command.mu);
     const RegionPolyhedra polyhedra = region_polyhedra(solid.reference, solid.topology, all, command.mu);
-    write_dual(command.dual, surfaces, polyhedra);
+    files.write(command.dual, [&](const std::string& temporary) { write_dual(temporary, surfaces, polyhedra); });
     return {{"file", command.dual},
             {"surface_points", surfaces.points.size()},
             {"surface_polygons", surfaces.size()},
@@ -71,6 +122,8 @@ Json options_json(const BlockCommand& command) {
               {"dualization", command.dualization == Dualization::complex ? "complex" : "contributions"},
               {"mu", command.mu}};
     json["size"] = command.size > 0.0 ? Json(command.size) : Json();
+    json["local_sizes"] = lengths_json(command.local);
+    json["timeout"] = command.timeout ? Json(*command.timeout) : Json();
     json["feature_angles"] =
         command.feature_angles.empty() ? Json({135.0, 225.0, 315.0}) : Json(command.feature_angles);
     return json;
@@ -97,20 +150,21 @@ void print(const BlockCommand& command, const SolidBlocks& solid, const MeshChec
 
 /// Writes what may be written and says how it went.
 ExitCode finish(const BlockCommand& command, const BlockReference& input, const SolidBlocks& solid, Json json,
-                double seconds) {
+                double seconds, OutputFiles& files) {
     const HexMeshData data = block_mesh_data(solid, input.surface, input.cad ? "face " : "tag ");
     const MeshCheck check = check_mesh(data.mesh, Execution{command.threads});
     const std::vector<std::string> warnings = warnings_of(command, solid);
     const bool written = check.valid() || command.keep_invalid;
     if (written) {
-        write_mesh(command.output, data);
+        files.write(command.output, [&](const std::string& temporary) { write_mesh(temporary, data); });
     }
     json["output"] = written ? Json(command.output) : Json();
     json["seconds"] = seconds;
     json["mesh"] = detail::to_json(data, check);
     json["warnings"] = warnings;
     json["exit_code"] = static_cast<int>(check.valid() ? exit_valid : exit_invalid);
-    write_report(command.report, json);
+    files.write_report(command.report, json);
+    files.commit();
     print_warnings(warnings);
     if (!check.valid()) {
         print_invalid(solid.fine ? "the mesh is" : "the blocks are", check.verify.text(), written);
@@ -123,44 +177,56 @@ ExitCode finish(const BlockCommand& command, const BlockReference& input, const 
 }
 
 /// No blocks: the report says why, and the error too.
-[[noreturn]] void refuse(const BlockCommand& command, const SolidBlocks& solid, Json json, double seconds) {
+[[noreturn]] void refuse(const BlockCommand& command, const SolidBlocks& solid, Json json, double seconds,
+                         OutputFiles& files) {
     json["output"] = Json();
     json["seconds"] = seconds;
     json["exit_code"] = static_cast<int>(exit_not_meshable);
-    write_report(command.report, json);
+    files.write_report(command.report, json);
+    files.commit();
     solid.report.dual.throw_if_invalid();
     throw UnmeshableError(ErrorCode::invalid_dual, "the layers make no blocks");
 }
 
 }  // namespace
 
-ExitCode run_block(const BlockCommand& command) {
-    if (!can_write_mesh(command.output)) {
-        throw FileError(command.output, "unknown mesh format; known are .vtu .vtk .msh .inp");
+ExitCode run_block(const BlockCommand& given, Guard& guard) {
+    if (!can_write_mesh(given.output)) {
+        throw FileError(given.output, "unknown mesh format; known are .vtu .vtk .msh .inp");
     }
-    if (!(command.mu > 0.0 && command.mu < 0.25)) {
+    if (!(given.mu > 0.0 && given.mu < 0.25)) {
         throw InputError(ErrorCode::bad_option, "--mu must lie between 0 and 1/4");
     }
+    OutputFiles files(given.input, {given.output, given.report, given.dual});
+    guard.set_limit(given.timeout.value_or(0), late_report(given));
     const Stopwatch watch;
+    const BlockCommand command = with_local_sizes(given, guard);
     BlockReference input;
     SolidBlocks solid;
     Json json;
     {
         ProgressBar bar(command.quiet);
-        input = read_block_reference(command.input, command.size, feature_options(command), bar.sink());
-        solid = block_solid(input.mesh, block_options(command, bar.sink()));
+        input = read_block_reference(command.input, {.size = command.size,
+                                                     .features = feature_options(command),
+                                                     .max_hexahedra = command.max_hexahedra,
+                                                     .seconds = guard.seconds_left(),
+                                                     .stop = guard.stop(),
+                                                     .progress = bar.sink()});
+        check_tags(command, input);
+        solid = block_solid(input.mesh, block_options(command, guard, bar.sink()));
         json = detail::to_json(input, solid);
         if (!command.dual.empty()) {
-            json["dual"] = write_dual_file(command, solid);
+            json["dual"] = write_dual_file(command, solid, guard, files);
         }
+        guard.lift_limit();
     }
     json["input"] = command.input;
     json["options"] = options_json(command);
     const double seconds = watch.total();
     if (!solid.report.dual.valid()) {
-        refuse(command, solid, std::move(json), seconds);
+        refuse(command, solid, std::move(json), seconds, files);
     }
-    return finish(command, input, solid, std::move(json), seconds);
+    return finish(command, input, solid, std::move(json), seconds, files);
 }
 
 }  // namespace pavior::cli

@@ -1,5 +1,7 @@
 #include "check.hpp"
 
+#include "output_files.hpp"
+
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
@@ -80,6 +82,44 @@ void print_warnings(const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) {
         std::cerr << "pavior: warning: " << warning << "\n";
     }
+}
+
+std::function<void()> late_report(const MakeCommand& command) {
+    return [input = command.input, report = command.report] {
+        OutputFiles files(input, {report});
+        files.write_report(report, {{"input", input},
+                                    {"output", nullptr},
+                                    {"out_of_time", true},
+                                    {"exit_code", static_cast<int>(exit_not_meshable)}});
+        files.commit();
+    };
+}
+
+CadOptions cad_options(const MakeCommand& command, const Guard& guard) {
+    CadOptions options;
+    if (const double left = guard.seconds_left(); left > 0) {
+        options.trial_seconds = left;
+    } else if (command.timeout) {
+        options.trial_seconds = 1e8;  // no limit was asked for
+    }
+    options.stop = guard.stop();
+    return options;
+}
+
+nlohmann::json lengths_json(const LocalLengths& lengths) {
+    nlohmann::json json = nlohmann::json::object();
+    const auto add = [&](const char* kind, const std::map<int, double>& sizes) {
+        for (const auto& [tag, size] : sizes) {
+            json[kind][std::to_string(tag)] = size;
+        }
+    };
+    add("edge", lengths.edge);
+    add("face", lengths.face);
+    add("solid", lengths.solid);
+    for (const auto& [name, size] : lengths.named) {
+        json["named"][name] = size;
+    }
+    return json;
 }
 
 }  // namespace pavior::cli

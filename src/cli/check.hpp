@@ -1,7 +1,11 @@
 #pragma once
 
 #include "../report/report_json.hpp"
+#include "commands.hpp"
 
+#include <pavior/cad/gmsh_brep.hpp>
+
+#include <functional>
 #include <iosfwd>
 
 namespace pavior::cli {
@@ -19,5 +23,14 @@ void print_summary(const std::string& file, const std::string& counts, const Mes
 void print_invalid(const std::string& what, const std::string& faults, bool written);
 
 void print_warnings(const std::vector<std::string>& warnings);
+
+/// For Guard::set_limit(): writes a report that says that time was over.
+[[nodiscard]] std::function<void()> late_report(const MakeCommand& command);
+
+/// How to read a CAD file in the time that is left.
+[[nodiscard]] CadOptions cad_options(const MakeCommand& command, const Guard& guard);
+
+/// {"edge": {"12": 0.5}, ...}, without what is empty.
+[[nodiscard]] nlohmann::json lengths_json(const LocalLengths& lengths);
 
 }  // namespace pavior::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exit_code.hpp"
+#include "guard.hpp"
 
 #include <pavior/affine/method.hpp>
 #include <pavior/block/block_mesh.hpp>
@@ -9,58 +10,49 @@
 #include <pavior/sweep/boundary_error.hpp>
 #include <pavior/sweep/level_map.hpp>
 
-#include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace pavior::cli {
 
-/// Options of `pavior sweep`.
-struct SweepCommand {
+/// What every command that makes a mesh takes.
+struct MakeCommand {
     std::string input, output;
-    double size = 0;  ///< 0: a twelfth of the diagonal of the model
-    std::map<int, double> edge_size, face_size, solid_size;
+    double size = 0;  ///< 0: the command's default
+    LocalLengths local;
+    std::optional<double> timeout;  ///< seconds for the whole program; 0: no limit; unset: the command's default
+    double max_hexahedra = 0;       ///< 0: no limit
+    unsigned threads = 0;           ///< 0: one a core
+    std::string report;
+    bool quiet = false;
+    bool keep_invalid = false;
+};
+
+/// Options of `pavior sweep`.
+struct SweepCommand : MakeCommand {
     std::optional<int> layers;
     AffineMethod method = AffineMethod::constrained;
     SweepStrategy strategy = SweepStrategy::direct;
     BoundaryCorrection correction = BoundaryCorrection::idw;
     bool smooth = true;
     std::optional<int> source, target;  ///< tags of faces
-    unsigned threads = 0;               ///< 0: one a core
-    std::string report;
-    bool quiet = false;
-    bool keep_invalid = false;
 };
 
-/// Options of `pavior block`.
-struct BlockCommand {
-    std::string input, output;
-    double size = 0;  ///< 0: blocks only
+/// Options of `pavior block`; size 0: blocks only.
+struct BlockCommand : MakeCommand {
     Marking marking = Marking::sheets;
     Propagation propagation = Propagation::full;
     Dualization dualization = Dualization::complex;
     double mu = 0.1;                     ///< where the dual surfaces are drawn
     std::vector<double> feature_angles;  ///< end below, corner above, reversal above; empty: the default
     std::string dual;
-    unsigned threads = 0;  ///< 0: one a core
-    std::string report;
-    bool quiet = false;
-    bool keep_invalid = false;
 };
 
 /// Options of `pavior mesh`.
-struct MeshCommand {
-    std::string input, output;
-    double size = 0;                   ///< 0: a twelfth of the diagonal of the model
+struct MeshCommand : MakeCommand {
     std::optional<PartMethod> method;  ///< unset: each in turn
-    double timeout = 60;               ///< seconds a solid; 0: no limit
     bool explain = false;
-    unsigned threads = 0;  ///< 0: one a core
-    std::string report;
-    bool quiet = false;
-    bool keep_invalid = false;
 };
 
 /// Options of `pavior quality`.
@@ -70,9 +62,9 @@ struct QualityCommand {
     unsigned threads = 0;
 };
 
-ExitCode run_mesh(const MeshCommand& command);
-ExitCode run_sweep(const SweepCommand& command);
-ExitCode run_block(const BlockCommand& command);
+ExitCode run_mesh(const MeshCommand& command, Guard& guard);
+ExitCode run_sweep(const SweepCommand& command, Guard& guard);
+ExitCode run_block(const BlockCommand& command, Guard& guard);
 ExitCode run_quality(const QualityCommand& command);
 
 }  // namespace pavior::cli

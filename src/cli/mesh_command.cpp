@@ -1,10 +1,11 @@
 #include "check.hpp"
 #include "commands.hpp"
+#include "output_files.hpp"
 #include "progress_bar.hpp"
-#include "report_file.hpp"
 
 #include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/core/error.hpp>
+#include <pavior/core/stop.hpp>
 #include <pavior/core/stopwatch.hpp>
 #include <pavior/io/mesh_file.hpp>
 #include <pavior/part/mesh_file.hpp>
@@ -20,6 +21,8 @@ namespace pavior::cli {
 namespace {
 
 using Json = nlohmann::json;
+
+constexpr double default_seconds = 60;  // for reading, and a solid
 
 std::string plain(double value) {
     std::array<char, 32> text{};
@@ -123,7 +126,8 @@ Json report_of(const MeshCommand& command, const GmshBrep& model, const PartMesh
     Json json{{"input", command.input}, {"output", Json()}, {"decisions", Json::array()}};
     json["options"] = {{"size", command.size > 0 ? command.size : model.diagonal() / 12},
                        {"method", command.method ? Json(to_string(*command.method)) : Json("auto")},
-                       {"timeout", command.timeout}};
+                       {"timeout", command.timeout ? Json(*command.timeout) : Json()},
+                       {"local_sizes", lengths_json(command.local)}};
     json["warnings"] = Json::array();
     for (const PartDecision& decision : part.decisions) {
         json["decisions"].push_back(to_json(model, decision));
@@ -145,17 +149,20 @@ std::string indented(std::string text) {
 }
 
 /// Why there is no mesh, solid by solid, method by method.
-ExitCode refuse(const MeshCommand& command, const GmshBrep& model, const PartMesh& part, Json json, double seconds) {
+ExitCode refuse(const MeshCommand& command, const GmshBrep& model, const PartMesh& part, Json json, double seconds,
+                OutputFiles& files) {
     json["seconds"] = seconds;
     json["exit_code"] = static_cast<int>(exit_not_meshable);
-    write_report(command.report, json);
+    files.write_report(command.report, json);
+    files.commit();
     for (const PartDecision& decision : part.decisions) {
         if (decision.taken) {
             continue;
         }
         std::cerr << "pavior: not meshable: " << solids_text(model, decision.solids);
         if (decision.out_of_time) {
-            std::cerr << " within the time limit of " << command.timeout << " s a solid";
+            std::cerr << " within the time limit of " << command.timeout.value_or(default_seconds)
+                      << (command.timeout ? " s" : " s a solid");
         }
         std::cerr << "\n";
         for (const MethodTry& attempt : decision.tries) {
@@ -166,16 +173,17 @@ ExitCode refuse(const MeshCommand& command, const GmshBrep& model, const PartMes
 }
 
 ExitCode finish(const MeshCommand& command, const GmshBrep& model, const PartMesh& part, Json json,
-                const Stopwatch& watch) {
+                const Stopwatch& watch, OutputFiles& files) {
     const bool written = part.valid() || command.keep_invalid;
     if (written) {
-        write_mesh(command.output, part.data);
+        files.write(command.output, [&](const std::string& temporary) { write_mesh(temporary, part.data); });
     }
     json["output"] = written ? Json(command.output) : Json();
     json["seconds"] = watch.total();
     json["mesh"] = detail::to_json(part.data, part.check);
     json["exit_code"] = static_cast<int>(part.valid() ? exit_valid : exit_invalid);
-    write_report(command.report, json);
+    files.write_report(command.report, json);
+    files.commit();
     print_warnings(json["warnings"].get<std::vector<std::string>>());
     if (!part.valid()) {
         std::string faults;
@@ -196,33 +204,45 @@ ExitCode finish(const MeshCommand& command, const GmshBrep& model, const PartMes
 
 }  // namespace
 
-ExitCode run_mesh(const MeshCommand& command) {
+ExitCode run_mesh(const MeshCommand& command, Guard& guard) {
     if (!can_read_cad(command.input)) {
         throw FileError(command.input, "unknown input format; known are .step .stp .iges .igs .brep");
     }
     if (!can_write_mesh(command.output)) {
         throw FileError(command.output, "unknown mesh format; known are .vtu .vtk .msh .inp");
     }
+    OutputFiles files(command.input, {command.output, command.report});
     const Stopwatch watch;
     ProgressBar bar(command.quiet);
+    guard.set_limit(command.timeout.value_or(default_seconds), late_report(command));
     PartOptions options;
     options.size = command.size;
-    options.seconds = command.timeout;
+    options.local = command.local;
+    options.max_hexahedra = command.max_hexahedra;
     options.node_entities = false;  // no format of ours holds them
-    options.execution = Execution{command.threads};
+    options.execution = Execution{command.threads, guard.stop()};
     options.progress = bar.sink();
     if (command.method) {
         options.methods = {*command.method};
     }
     report(options.progress, "reading", 0);
-    const GmshBrep model = GmshBrep::load(command.input);
+    const GmshBrep model = GmshBrep::load(command.input, cad_options(command, guard));
+    if (command.timeout) {
+        options.seconds = 0;
+        options.call_seconds = 0.9 * guard.seconds_left();  // what is left is for the file
+    } else {
+        options.seconds = default_seconds;
+        guard.set_limit(watch.total() + default_seconds * static_cast<double>(model.solid_count() + 1), late_report(command));
+    }
     const PartMesh part = mesh_model(model, options);
+    check_stop(guard.stop());
+    guard.lift_limit();
     if (command.explain) {
         print_tree(std::cout, model, command, part.decisions);
     }
     Json json = report_of(command, model, part);
-    return part.complete() ? finish(command, model, part, std::move(json), watch)
-                           : refuse(command, model, part, std::move(json), watch.total());
+    return part.complete() ? finish(command, model, part, std::move(json), watch, files)
+                           : refuse(command, model, part, std::move(json), watch.total(), files);
 }
 
 }  // namespace pavior::cli

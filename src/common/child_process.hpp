@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -28,10 +29,19 @@ namespace pavior::detail {
 
 /// What became of a task in a process of its own.
 struct ChildAnswer {
-    enum class End { answered, threw, timed_out, stopped, died };
+    enum class End { answered, threw, timed_out, stopped, heard, died };
     End end = End::died;
     std::string bytes;   ///< what the task returned
     std::string reason;  ///< what it threw, or how it died
+    std::string said;    ///< what it printed, if ChildLimits::heard_enough listens
+};
+
+/// When a task in a process of its own is ended.
+struct ChildLimits {
+    double seconds = 0;         ///< after that time; 0: never
+    std::stop_token stop = {};  ///< when this asks for it, within some 20 ms
+    /// And when this says so of all that it has printed; unset: nobody listens.
+    std::function<bool(const std::string& said)> heard_enough = {};
 };
 
 /// Both ends of a pipe, closed at the end of the scope.
@@ -60,8 +70,9 @@ private:
 /// The side of the child: never returns into what it was forked from.
 class ChildSide {
 public:
-    [[noreturn]] static void run(const std::function<std::string()>& task, int descriptor) {
-        become_quiet();
+    /// Standard output and error go to \p output, nowhere if that is negative.
+    [[noreturn]] static void run(const std::function<std::string()>& task, int descriptor, int output) {
+        become_quiet(output);
         char kind = 'a';
         std::string bytes;
         try {
@@ -73,6 +84,7 @@ public:
             kind = 't';
             bytes = "something unknown was thrown";
         }
+        std::fflush(nullptr);
         const std::uint64_t size = bytes.size();
         send(descriptor, &kind, 1);
         send(descriptor, &size, sizeof size);
@@ -81,19 +93,23 @@ public:
     }
 
 private:
-    /// Foreign code must neither talk, nor leave a core file, nor run what this process registered for its own end.
-    static void become_quiet() {
-        const int nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
-        if (nowhere >= 0) {
-            dup2(nowhere, STDOUT_FILENO);
-            dup2(nowhere, STDERR_FILENO);
+    /// Foreign code must neither talk, nor leave a core file, nor run what this process registered for its own end. An
+    /// interrupt from the keyboard is for the parent, which ends the child.
+    static void become_quiet(int output) {
+        const int to = output >= 0 ? output : ::open("/dev/null", O_RDWR | O_CLOEXEC);
+        if (to >= 0) {
+            dup2(to, STDOUT_FILENO);
+            dup2(to, STDERR_FILENO);
         }
         const rlimit no_core{0, 0};
         setrlimit(RLIMIT_CORE, &no_core);
         for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL, SIGTERM}) {
             std::signal(signal, SIG_DFL);
         }
-        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        std::signal(SIGINT, SIG_IGN);
+        sigset_t none;
+        sigemptyset(&none);
+        sigprocmask(SIG_SETMASK, &none, nullptr);
         std::atexit([] { _exit(3); });
         std::srand(1);  // NOLINT: the same state whatever the caller did
     }
@@ -116,10 +132,11 @@ class ParentSide {
 public:
     using Clock = std::chrono::steady_clock;
 
-    ParentSide(pid_t id, int descriptor, double seconds, std::stop_token stop)
-        : id_(id), descriptor_(descriptor), stop_(std::move(stop)) {
-        if (seconds > 0) {
-            const std::chrono::duration<double> limit(std::min(seconds, 1e8));
+    /// \p output: what the child prints comes here; negative: nowhere
+    ParentSide(pid_t id, int descriptor, int output, const ChildLimits& limits)
+        : id_(id), descriptor_(descriptor), output_(output), limits_(limits) {
+        if (limits.seconds > 0) {
+            const std::chrono::duration<double> limit(std::min(limits.seconds, 1e8));
             end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
         }
     }
@@ -141,6 +158,8 @@ public:
                 answer_.end = kind == 'a' ? ChildAnswer::End::answered : ChildAnswer::End::threw;
             }
         }
+        while (answer_.end != ChildAnswer::End::heard && hear()) {  // what was printed last
+        }
         if (answer_.end == ChildAnswer::End::threw) {
             answer_.reason = std::exchange(answer_.bytes, std::string());
         }
@@ -152,7 +171,7 @@ private:
     bool receive(void* data, std::size_t bytes) {
         auto* at = static_cast<char*>(data);
         while (bytes > 0) {
-            if (stop_.stop_requested()) {
+            if (limits_.stop.stop_requested()) {
                 answer_.end = ChildAnswer::End::stopped;
                 return false;
             }
@@ -160,9 +179,15 @@ private:
                 answer_.end = ChildAnswer::End::timed_out;
                 return false;
             }
-            pollfd wait{descriptor_, POLLIN, 0};
+            std::array<pollfd, 2> wait{{{descriptor_, POLLIN, 0}, {output_, POLLIN, 0}}};
             // Another thread's child may hold the pipe open after this one died: look after it now and then.
-            const int ready = ::poll(&wait, 1, collected_ ? 0 : 20);
+            const int ready = ::poll(wait.data(), wait.size(), collected_ ? 0 : 20);
+            if (ready > 0 && wait[1].revents != 0 && !hear() && answer_.end == ChildAnswer::End::heard) {
+                return false;
+            }
+            if (ready > 0 && wait[0].revents == 0) {
+                continue;
+            }
             const ssize_t got = ready > 0 ? ::read(descriptor_, at, bytes) : -1;
             if (got > 0) {
                 at += got;
@@ -173,6 +198,26 @@ private:
             } else if (ready == 0) {
                 collect(WNOHANG);  // what it wrote before is still in the pipe
             }
+        }
+        return true;
+    }
+
+    /// Takes what the child has printed; false if there is nothing more, for now or for ever.
+    bool hear() {
+        pollfd wait{output_, POLLIN, 0};
+        if (output_ < 0 || ::poll(&wait, 1, 0) <= 0) {
+            return false;
+        }
+        std::array<char, 4096> buffer{};
+        const ssize_t got = ::read(output_, buffer.data(), buffer.size());
+        if (got <= 0) {
+            output_ = got == 0 ? -1 : output_;
+            return false;
+        }
+        answer_.said.append(buffer.data(), static_cast<std::size_t>(got));
+        if (limits_.heard_enough(answer_.said)) {
+            answer_.end = ChildAnswer::End::heard;
+            return false;
         }
         return true;
     }
@@ -195,33 +240,44 @@ private:
 
     pid_t id_;
     int descriptor_;
-    std::stop_token stop_;
+    int output_;
+    const ChildLimits& limits_;
     std::optional<Clock::time_point> end_;
     ChildAnswer answer_;
     int status_ = 0;
     bool collected_ = false;
 };
 
-/// Runs \p task in a forked child, whose standard output and error go nowhere, and tells what became of it. The child
-/// sees the memory of this process as it was and leaves no trace in it. Safe to call from several threads as far as
-/// \p task needs nothing but memory.
-/// \param seconds  the child is killed after that time; 0: never
-/// \param stop     and when this asks for it, within some 20 ms
-inline ChildAnswer run_in_child(const std::function<std::string()>& task, double seconds,
-                                const std::stop_token& stop = {}) {
+/// Runs \p task in a forked child and tells what became of it. The child sees the memory of this process as it was and
+/// leaves no trace in it; it ends with the thread that called this. Safe to call from several threads as far as \p task
+/// needs nothing but memory.
+inline ChildAnswer run_in_child(const std::function<std::string()>& task, const ChildLimits& limits) {
     Pipe pipe;
-    const pid_t id = pipe.is_open() ? fork() : -1;
+    std::optional<Pipe> output;
+    if (limits.heard_enough) {
+        output.emplace();
+    }
+    const bool open = pipe.is_open() && (!output || output->is_open());
+    const pid_t parent = getpid();
+    const pid_t id = open ? fork() : -1;
     if (id < 0) {
         ChildAnswer answer;
-        answer.reason = std::string(pipe.is_open() ? "had no process: " : "had no pipe: ").append(std::strerror(errno));
+        answer.reason = std::string(open ? "had no process: " : "had no pipe: ").append(std::strerror(errno));
         return answer;
     }
     if (id == 0) {
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        if (getppid() != parent) {
+            _exit(2);
+        }
         pipe.close_end(0);
-        ChildSide::run(task, pipe.end(1));
+        ChildSide::run(task, pipe.end(1), output ? output->end(1) : -1);
     }
     pipe.close_end(1);
-    return ParentSide(id, pipe.end(0), seconds, stop).listen();
+    if (output) {
+        output->close_end(1);
+    }
+    return ParentSide(id, pipe.end(0), output ? output->end(0) : -1, limits).listen();
 }
 
 }  // namespace pavior::detail

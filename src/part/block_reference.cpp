@@ -11,9 +11,11 @@
 #include <pavior/io/tet_mesh_file.hpp>
 #include <pavior/math/box.hpp>
 #include <pavior/mesh/verify_tets.hpp>
+#include <pavior/part/local_lengths.hpp>
 #include <pavior/tetra/tetrahedralize.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 #include <vector>
@@ -24,11 +26,10 @@ namespace {
 
 /// Fine hexahedra lie on the triangles: where they are small, these follow the curved faces more closely.
 template <class Cad>
-CadTriangulation triangulate_for(const Cad& cad, double wanted) {
-    CadTriangulation coarse = triangulate_solids(cad);
+CadTriangulation triangulate_for(const Cad& cad, double wanted, TriangulationOptions options = {}) {
+    CadTriangulation coarse = triangulate_solids(cad, options);
     if (wanted > 0.0) {
         const double size = box_round(std::span<const Vec3>(coarse.surface.mesh.nodes)).extent().norm();
-        TriangulationOptions options;
         options.chord = std::max(0.05 * wanted, size / 2000.0);
         if (options.chord < size / 200.0) {
             return triangulate_solids(cad, options);
@@ -83,6 +84,18 @@ TaggedSurface boundary_of(const TaggedTetMesh& tets) {
     return surface;
 }
 
+/// No more hexahedra than asked for are to be expected in \p surface.
+void check_expected(const TaggedSurface& surface, const ReferenceOptions& options) {
+    if (options.size > 0) {
+        double volume = 0;
+        for (const TriCorners& c : surface.mesh.triangles) {
+            const auto& x = surface.mesh.nodes;
+            volume += x[c[0]].cross(x[c[1]]).dot(x[c[2]]) / 6;
+        }
+        require_expected_at_most(std::abs(volume) / std::pow(options.size, 3), options.max_hexahedra, options.size);
+    }
+}
+
 }  // namespace
 
 BlockReference detail::GmshReferenceMesher::operator()(SolidId solid, double size,
@@ -101,12 +114,11 @@ BlockReference detail::GmshReferenceMesher::operator()(SolidId solid, double siz
     return result;
 }
 
-BlockReference read_block_reference(const std::filesystem::path& file, double size, const FeatureOptions& features,
-                                    const Progress& progress) {
+BlockReference read_block_reference(const std::filesystem::path& file, const ReferenceOptions& options) {
     BlockReference result;
     const std::string name = file.string();
     Stopwatch watch;
-    report(progress, "reading", 0.0);
+    report(options.progress, "reading", 0.0);
     TaggedTetMesh tets;
     if (can_read_tet_mesh(name)) {
         tets = read_tet_mesh(name);
@@ -119,7 +131,10 @@ BlockReference read_block_reference(const std::filesystem::path& file, double si
         std::vector<TaggedTriangle> inner_facets;
         result.cad = can_read_cad(file);
         if (result.cad) {
-            CadTriangulation model = triangulate_for(file, size);
+            TriangulationOptions own;
+            own.trial_seconds = options.seconds > 0 ? options.seconds : own.trial_seconds;
+            own.stop = options.stop;
+            CadTriangulation model = triangulate_for(file, options.size, own);
             result.surface = std::move(model.surface);
             inner_facets = std::move(model.inner_facets);
         } else if (can_read_surface(name)) {
@@ -131,10 +146,14 @@ BlockReference read_block_reference(const std::filesystem::path& file, double si
                 ".msh");
         }
         result.read_seconds = watch.lap();
-        report(progress, "tetrahedra", 0.1);
-        tets = tetrahedralize(result.surface, inner_facets);
+        check_expected(result.surface, options);
+        report(options.progress, "tetrahedra", 0.1);
+        TetOptions own;
+        own.time_limit = options.seconds > 0 ? options.seconds : own.time_limit;
+        own.stop = options.stop;
+        tets = tetrahedralize(result.surface, inner_facets, own);
     }
-    result.mesh = make_reference_mesh(tets, features);
+    result.mesh = make_reference_mesh(tets, options.features);
     result.tetra_seconds = watch.lap();
     return result;
 }

@@ -27,7 +27,7 @@ MethodTry try_in_child(PartMethod method, const GmshBrep& model, std::span<const
     const auto task = [&] {
         return detail::to_bytes(try_method(method, model, solids, options, detail::gmsh_kernels(model), late));
     };
-    const detail::ChildAnswer answer = detail::run_in_child(task, seconds, options.execution.stop);
+    const detail::ChildAnswer answer = detail::run_in_child(task, {.seconds = seconds, .stop = options.execution.stop});
     if (answer.end == End::stopped) {
         throw Stopped();
     }

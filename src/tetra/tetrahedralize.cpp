@@ -1,6 +1,7 @@
 #include <pavior/tetra/tetrahedralize.hpp>
 
 #include <pavior/core/error.hpp>
+#include <pavior/core/stop.hpp>
 #include <pavior/mesh/near_nodes.hpp>
 
 #include "../common/byte_arrays.hpp"
@@ -164,7 +165,8 @@ detail::RawTets raw_tets(const std::string& bytes) {
 /// Runs an engine one way after the other until a mesh has no flat tetrahedron; keeps the best.
 class Attempts {
 public:
-    Attempts(std::string engine, double seconds) : engine_(std::move(engine)), seconds_(seconds) {}
+    Attempts(std::string engine, const TetOptions& options)
+        : engine_(std::move(engine)), limits_{.seconds = options.time_limit, .stop = options.stop} {}
 
     [[nodiscard]] bool good() const { return best_ && best_->flattest >= good_enough; }
 
@@ -174,7 +176,10 @@ public:
             return;
         }
         using End = detail::ChildAnswer::End;
-        const detail::ChildAnswer answer = detail::run_in_child([&] { return raw_bytes(task); }, seconds_);
+        const detail::ChildAnswer answer = detail::run_in_child([&] { return raw_bytes(task); }, limits_);
+        if (answer.end == End::stopped) {
+            throw Stopped();
+        }
         if (answer.end == End::timed_out) {
             throw InputError(ErrorCode::tetrahedra_failed,
                              engine_ + " (" + way + ") was stopped: no result within the time limit");
@@ -211,7 +216,7 @@ private:
     static constexpr double too_flat = 1e-12;
 
     std::string engine_;
-    double seconds_;
+    detail::ChildLimits limits_;
     std::optional<Assembled> best_;
     std::string reasons_;
 };
@@ -233,7 +238,7 @@ Assembled with_tetgen(const Problem& problem, const TetOptions& options) {
     } catch (const Error& error) {
         throw InputError(ErrorCode::tetrahedra_failed, reason(error));
     }
-    Attempts attempts("TetGen", options.time_limit);
+    Attempts attempts("TetGen", options);
     const std::string refine = refinement(options, problem.plc.frame);
     if (options.keep_surface) {
         run_tetgen(attempts, problem, "Y", refine);
@@ -259,7 +264,7 @@ Assembled with_cgal(Problem problem, const TetOptions& options) {
     const double edge =
         volume > 0.0 ? edge_of_volume(volume) : 0.1 * bounds(std::span<const Vec3>(problem.plc.nodes)).diagonal();
     const double quality = options.quality > 0.0 ? options.quality : 2.0;
-    Attempts attempts("CGAL", options.time_limit);
+    Attempts attempts("CGAL", options);
     // Protected edges close to each other can get in the way of the refinement: fewer of them, or shorter edges.
     for (const double degrees : {10.0, 45.0}) {
         for (const double part : {1.0, 0.86, 0.5, 0.25}) {

@@ -16,7 +16,7 @@ namespace {
 std::vector<pavior::SheetIntervals> intervals(const Case& c, double size) {
     const auto blocks = pavior::dualize(c.mesh, c.topology, c.classes, c.complex);
     const auto geometry = pavior::block_geometry(c.mesh, c.topology, c.complex);
-    return pavior::sheet_intervals(blocks, geometry, pavior::place_blocks(blocks, geometry), size);
+    return pavior::sheet_intervals(blocks, geometry, pavior::place_blocks(blocks, geometry), {size, {}, {}});
 }
 }  // namespace
 

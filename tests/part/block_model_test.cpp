@@ -25,7 +25,7 @@ TEST_CASE("A solid of a model is blocked with the tetrahedra that the kernel mak
             ++asked;
             CHECK(solid == SolidId{0});
             CHECK(size == 1);
-            return read_block_reference(file, size, features);
+            return read_block_reference(file, {.size = size, .features = features});
         });
     CHECK(asked == 1);
     CHECK(made.blocks.report.dual.valid());

@@ -24,7 +24,7 @@ TEST_CASE("CAD models, surfaces and tetrahedra become reference meshes, with the
 TEST_CASE("A finer size makes triangles follow curved faces more closely") {
     const std::string file = std::string(PAVIOR_EXAMPLE_DATA) + "/hexme/s11o_cube_cyl.stp";
     const std::size_t coarse = read_block_reference(file).surface.mesh.triangles.size();
-    CHECK(read_block_reference(file, 0.05).surface.mesh.triangles.size() > coarse);
+    CHECK(read_block_reference(file, {.size = 0.05}).surface.mesh.triangles.size() > coarse);
 }
 
 TEST_CASE("Files of no known kind are refused by name") {

@@ -65,7 +65,7 @@ TEST_CASE("Faces get finer edges by their tag") {
     options.methods = {PartMethod::multi_sweep};
     const std::string file = data + "/mfcad/0-1-13-19.step";
     const std::size_t coarse = mesh_file(file, options).check.hexahedra;
-    options.face_size[1] = 0.25;
+    options.local.face[1] = 0.25;
     const PartMesh fine = mesh_file(file, options);
     REQUIRE(fine.valid());
     CHECK(fine.check.hexahedra > 2 * coarse);

@@ -126,18 +126,16 @@ TEST_CASE("What cannot be meshed has a reason for each method, and the faces") {
     CHECK_THAT(reason_of(part), Catch::Contains("block: ") && Catch::Contains("no tetrahedra here"));
 }
 
-TEST_CASE("Local sizes of edges are heeded, blocks refuse them, and names must be borne by something") {
+TEST_CASE("Local sizes of edges are heeded, and names must be borne by something") {
     TestBrep b;
     add_prism(b, rectangle(2, 2), 0, 2);
     PartOptions options = with_size(1);
     const std::size_t coarse = mesh_part(b, options, kernels(b)).check.hexahedra;
-    options.edge_size[b.tag(1, 0)] = 0.05;  // against the three edges opposite, which wish for two
+    options.local.edge[b.tag(1, 0)] = 0.05;  // against the three edges opposite, which wish for two
     const PartMesh fine = mesh_part(b, options, kernels(b));
     REQUIRE(fine.valid());
     CHECK(fine.check.hexahedra > coarse);
-    options.methods = {PartMethod::block};
-    CHECK_THAT(reason_of(mesh_part(b, options, kernels(b))), Catch::Contains("blocks know one size"));
-    options.named_size["lid"] = 1;
+    options.local.named["lid"] = 1;
     CHECK_THROWS_WITH(mesh_part(b, options, kernels(b)), Catch::Contains("'lid'"));
 }
 

@@ -39,7 +39,8 @@ TEST_CASE("Options out of range are refused") {
     };
     PartOptions good;
     good.size = 0.5;
-    good.face_size[3] = 0.1;
+    good.max_hexahedra = 1e6;
+    good.call_seconds = 0.1;
     CHECK_NOTHROW(check_options(good));
     PartOptions options = good;
     options.size = -1;
@@ -51,6 +52,9 @@ TEST_CASE("Options out of range are refused") {
     options.seconds = -0.1;
     CHECK(refused(options));
     options = good;
-    options.named_size["lid"] = 0;
+    options.call_seconds = -0.1;
+    CHECK(refused(options));
+    options = good;
+    options.max_hexahedra = -1;
     CHECK(refused(options));
 }

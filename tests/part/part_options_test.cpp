@@ -15,12 +15,12 @@ TEST_CASE("Methods have five different names, those of the command line") {
     CHECK(names == std::set<std::string_view>{"submap", "sweep", "multi-sweep", "mixed", "block"});
 }
 
-TEST_CASE("Local sizes of any kind are local sizes") {
-    CHECK_FALSE(PartOptions{}.local_sizes());
-    PartOptions edge, face, solid, name;
-    edge.edge_size[1] = face.face_size[1] = solid.solid_size[1] = name.named_size["lid"] = 1;
-    CHECK(edge.local_sizes());
-    CHECK(face.local_sizes());
-    CHECK(solid.local_sizes());
-    CHECK(name.local_sizes());
+TEST_CASE("Local lengths of any kind are local lengths") {
+    CHECK(LocalLengths{}.empty());
+    LocalLengths edge, face, solid, name;
+    edge.edge[1] = face.face[1] = solid.solid[1] = name.named["lid"] = 1;
+    CHECK_FALSE(edge.empty());
+    CHECK_FALSE(face.empty());
+    CHECK_FALSE(solid.empty());
+    CHECK_FALSE(name.empty());
 }

@@ -28,11 +28,11 @@ inline std::string content(const std::filesystem::path& file) {
 
 inline nlohmann::json json_of(const std::string& file) { return nlohmann::json::parse(content(file)); }
 
-/// Runs pavior with \p arguments, as a shell splits them.
-inline ProgramRun run_program(const std::string& arguments) {
+/// Runs pavior with \p arguments, as a shell splits them, after what \p before has the shell do.
+inline ProgramRun run_program(const std::string& arguments, const std::string& before = "") {
     const std::string out = scratch_file("stdout.txt");
     const std::string err = scratch_file("stderr.txt");
-    std::string command = PAVIOR_PROGRAM;
+    std::string command = before + " exec " + PAVIOR_PROGRAM;
     command.append(" ").append(arguments).append(" >").append(out).append(" 2>").append(err).append(" </dev/null");
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(out), content(err)};

@@ -25,7 +25,7 @@ using Task = std::function<std::string()>;
 
 TEST_CASE("Whatever foreign code does in its process comes back as an answer") {
     const auto check = [](const Task& task, End end, const std::string& text) {
-        const ChildAnswer answer = detail::run_in_child(task, 0.5);
+        const ChildAnswer answer = detail::run_in_child(task, {.seconds = 0.5});
         CHECK(answer.end == end);
         CHECK((answer.end == End::answered ? answer.bytes : answer.reason) == text);
     };
@@ -57,7 +57,7 @@ TEST_CASE("A child without a time limit may take its time") {
         std::this_thread::sleep_for(std::chrono::milliseconds(300));
         return std::string("late");
     };
-    CHECK(detail::run_in_child(slow, 0).bytes == "late");
+    CHECK(detail::run_in_child(slow, {}).bytes == "late");
 }
 
 TEST_CASE("Large arrays travel between processes, from several threads at once") {
@@ -73,7 +73,7 @@ TEST_CASE("Large arrays travel between processes, from several threads at once")
     std::vector<ChildAnswer> answers(4);
     std::vector<std::thread> threads;
     for (ChildAnswer& answer : answers) {
-        threads.emplace_back([&] { answer = detail::run_in_child(task, 60); });
+        threads.emplace_back([&] { answer = detail::run_in_child(task, {.seconds = 60}); });
     }
     for (std::thread& thread : threads) {
         thread.join();
@@ -89,4 +89,38 @@ TEST_CASE("Large arrays travel between processes, from several threads at once")
         reader.get(more);
         CHECK((some == nodes && none.empty() && more == points));
     }
+}
+
+TEST_CASE("What a child prints can be heard, and can end it") {
+    const Task chatter = [] {
+        std::printf("one\n");
+        std::fprintf(stderr, "two\n");
+        return std::string("done");
+    };
+    const auto never = [](const std::string&) { return false; };
+    const ChildAnswer heard = detail::run_in_child(chatter, {.seconds = 5, .heard_enough = never});
+    CHECK(heard.end == End::answered);
+    CHECK(heard.bytes == "done");
+    CHECK(heard.said.find("one\n") != std::string::npos);
+    CHECK(heard.said.find("two\n") != std::string::npos);
+
+    const Task stuck = []() -> std::string {
+        std::fprintf(stderr, "syntax error\n");
+        for (;;) {
+            std::this_thread::yield();
+        }
+    };
+    const auto enough = [](const std::string& said) { return said.find("syntax") != std::string::npos; };
+    const auto begin = std::chrono::steady_clock::now();
+    const ChildAnswer ended = detail::run_in_child(stuck, {.seconds = 20, .heard_enough = enough});
+    CHECK(ended.end == End::heard);
+    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(5));
+
+    const Task flood = [] {
+        for (int i = 0; i < 100000; ++i) {
+            std::printf("a line that fills the pipe\n");
+        }
+        return std::string("done");
+    };
+    CHECK(detail::run_in_child(flood, {.seconds = 20, .heard_enough = never}).bytes == "done");
 }

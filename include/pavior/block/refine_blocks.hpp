@@ -12,6 +12,7 @@
 #include <pavior/smooth/report.hpp>
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace pavior {
@@ -21,7 +22,10 @@ struct RefineOptions {
     /// Wanted length of the edges of hexahedra, in the unit of the coordinates; <= 0 (default): no wish, two intervals
     /// on every block edge.
     double size = 0.0;
-    /// One number of intervals a sheet, each >= 1; empty (default): from `size`.
+    /// Other lengths, by tag of the curve or patch of the geometry; see sheet_intervals().
+    std::map<int, double> curve_size = {};
+    std::map<int, double> patch_size = {};
+    /// One number of intervals a sheet, each >= 1; empty (default): from the sizes.
     std::vector<std::uint32_t> intervals = {};
     /// Repair inverted hexahedra by moving inner nodes.
     bool untangle = true;

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace pavior {
@@ -24,12 +25,24 @@ struct SheetIntervals {
     friend bool operator==(const SheetIntervals&, const SheetIntervals&) = default;
 };
 
-/// One entry a sheet: its edges, and as many intervals as bring them to the length \p size on the average, 1 at least.
-/// size <= 0: two intervals everywhere. O(edges).
-/// \throws InputError bad_option (a size that is not a number), overflow (10^9 intervals or more)
+/// Wished lengths of the edges of hexahedra, in the unit of the coordinates.
+struct BlockLengths {
+    double size = 0;                   ///< <= 0: no wish
+    std::map<int, double> curve = {};  ///< on curves of the geometry, by tag
+    std::map<int, double> patch = {};  ///< on patches and round them, by tag; the smallest where several meet
+
+    friend bool operator==(const BlockLengths&, const BlockLengths&) = default;
+};
+
+/// One entry a sheet: its edges, and as many intervals as bring them to the wished length on the average, 1 at least. In
+/// a sheet with edges on curves that have a length of their own only these count, else with edges on or round such
+/// patches only those. No wish: two intervals. O(edges).
+/// \throws InputError bad_option (a size that is not a number, another length that is not positive), overflow (10^9
+/// intervals or more)
 [[nodiscard]] PAVIOR_INLINE std::vector<SheetIntervals> sheet_intervals(const BlockMesh& blocks,
                                                                         const BlockGeometry& geometry,
-                                                                        const BlockPlacement& placement, double size);
+                                                                        const BlockPlacement& placement,
+                                                                        const BlockLengths& lengths);
 
 }  // namespace pavior
 

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <utility>
 
@@ -30,6 +31,7 @@ struct CadOptions {
     /// A file is first read in a child process, so that a crash or an endless loop of the CAD kernel on a damaged file
     /// becomes an error; the child may take this many seconds. 0: read it directly.
     double trial_seconds = 300;
+    std::stop_token stop = {};  ///< ends that first reading by Stopped
 };
 
 /// Whether the name of \p file ends as that of a CAD file: .step, .stp, .iges, .igs or .brep, in any case.

@@ -5,6 +5,7 @@
 #include <pavior/mesh/tagged_mesh.hpp>
 
 #include <filesystem>
+#include <stop_token>
 #include <vector>
 
 namespace pavior {
@@ -21,6 +22,7 @@ struct TriangulationOptions {
     /// The file is read and meshed in a child process first, so that a crash or an endless loop of the CAD kernel
     /// becomes an error; the child may take this many seconds. 0: do it directly.
     double trial_seconds = 300.0;
+    std::stop_token stop = {};  ///< ends that first time by Stopped
 };
 
 /// The surface of a CAD model.

@@ -7,6 +7,7 @@
 #include <pavior/mesh/append_mesh.hpp>
 #include <pavior/part/decide.hpp>
 #include <pavior/part/entity_groups.hpp>
+#include <pavior/part/local_lengths.hpp>
 #include <pavior/part/mesh_part.hpp>
 #include <pavior/part/try_method.hpp>
 
@@ -20,31 +21,6 @@
 namespace pavior {
 
 namespace detail {
-
-/// PartOptions::named_size as sizes by tag. \throws InputError bad_option for a name that nothing bears
-[[nodiscard]] inline PartOptions with_named_sizes(const AnyModel& b, PartOptions options) {
-    const auto named = std::exchange(options.named_size, {});
-    const std::map<int, FaceId> faces = faces_by_tag(b);
-    for (const auto& [name, size] : named) {
-        bool found = false;
-        for (const auto& [tag, face] : faces) {
-            if (name_of(b, face) == name) {
-                options.face_size[tag] = size;
-                found = true;
-            }
-        }
-        for (const SolidId s : all_solids(b)) {
-            if (name_of(b, s) == name) {
-                options.solid_size[b.tag(3, s.index())] = size;
-                found = true;
-            }
-        }
-        if (!found) {
-            throw InputError(ErrorCode::bad_option, "no face and no solid is called '" + name + "'");
-        }
-    }
-    return options;
-}
 
 /// node_entities() of a mesh whose groups are tags of the entities of \p b.
 [[nodiscard]] inline NodeEntities entities_of(const AnyModel& b, const HexMeshData& data) {
@@ -64,21 +40,37 @@ namespace detail {
     return node_entities(b, data.mesh.nodes, data.mesh.hexes, hex_solid, data.quads, quad_face);
 }
 
+/// \p options for a group of which with those after it \p solids are left, so many seconds after the call began.
+[[nodiscard]] inline PartOptions within_call(PartOptions options, double seconds, std::size_t solids) {
+    if (options.call_seconds > 0) {
+        const double share = std::max(options.call_seconds - seconds, 0.01) / static_cast<double>(solids);
+        options.seconds = options.seconds > 0 ? std::min(options.seconds, share) : share;
+    }
+    return options;
+}
+
 PAVIOR_INLINE PartMesh mesh_groups(const AnyModel& b, const PartOptions& given, const GroupAttempt& attempt) {
     check_options(given);
-    const PartOptions options = with_named_sizes(b, given);
     PartMesh result;
     const Stopwatch watch;
+    PartOptions options = given;
+    options.local = lengths_by_tag(b, given.local);
+    options.size = given.size > 0 ? given.size : diagonal_of(b) / 12;
     const std::vector<SolidId> solids = all_solids(b);
+    require_expected_at_most(expected_hexahedra(b, solids, options.size, options.local.solid), options.max_hexahedra,
+                             options.size);
+    std::size_t left = solids.size();
     const auto most = static_cast<double>(std::max<std::size_t>(options.methods.size(), 5));
     const std::vector<std::vector<SolidId>> groups = touching_solids(b, std::span<const SolidId>(solids));
     for (const std::vector<SolidId>& group : groups) {
         const double first = static_cast<double>(result.decisions.size()) / static_cast<double>(groups.size());
         std::size_t tries = 0;
-        result.decisions.push_back(decide(group, options, [&](PartMethod method, double seconds) {
+        const PartOptions own = within_call(options, watch.total(), left);
+        left -= group.size();
+        result.decisions.push_back(decide(group, own, [&](PartMethod method, double seconds) {
             const double share = static_cast<double>(tries++) / (most * static_cast<double>(groups.size()));
             report(options.progress, to_string(method), first + share);
-            return attempt(method, group, options, seconds);
+            return attempt(method, group, own, seconds);
         }));
     }
     for (PartDecision& decision : result.decisions) {

@@ -13,17 +13,9 @@ PAVIOR_INLINE void check_options(const PartOptions& options) {
             throw InputError(ErrorCode::bad_option, what);
         }
     };
-    const auto check_sizes = [&](const auto& sizes) {
-        for (const auto& [key, size] : sizes) {
-            check(size > 0 && std::isfinite(size), "local sizes must be positive");
-        }
-    };
     check(options.size >= 0 && std::isfinite(options.size), "the size must be positive, or 0 for the default");
-    check(options.seconds >= 0, "the time limit must be positive, or 0 for none");
-    check_sizes(options.edge_size);
-    check_sizes(options.face_size);
-    check_sizes(options.solid_size);
-    check_sizes(options.named_size);
+    check(options.seconds >= 0 && options.call_seconds >= 0, "time limits must be positive, or 0 for none");
+    check(options.max_hexahedra >= 0, "the largest number of hexahedra must be positive, or 0 for no limit");
 }
 
 PAVIOR_INLINE std::string reason_of(const PartMesh& part) {

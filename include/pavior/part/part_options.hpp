@@ -28,28 +28,33 @@ enum class PartMethod : std::uint8_t { submap, sweep, multi_sweep, mixed, block 
     return "unknown";
 }
 
+/// Lengths for some entities, in the unit of the model: by the user's tags (brep::tag), or by names in the file.
+struct LocalLengths {
+    std::map<int, double> edge = {};   ///< goes before everything else
+    std::map<int, double> face = {};   ///< for its edges; the smallest of the faces at an edge
+    std::map<int, double> solid = {};  ///< where no face length applies; the smallest of the solids at an edge
+    /// For all faces and solids of that name.
+    std::map<std::string, double> named = {};
+
+    [[nodiscard]] bool empty() const { return edge.empty() && face.empty() && solid.empty() && named.empty(); }
+    friend bool operator==(const LocalLengths&, const LocalLengths&) = default;
+};
+
 /// Lengths are in the unit of the model, seconds are wall time. Tags are the numbers by which users of the CAD file
 /// know the entities (brep::tag).
 struct PartOptions {
     double size = 0;                        ///< wished length of mesh edges; 0: diagonal / 12
-    std::map<int, double> edge_size = {};   ///< other lengths, by tag of the edge; goes before everything else
-    std::map<int, double> face_size = {};   ///< by tag of the face: for its edges, the smallest of the faces at an edge
-    std::map<int, double> solid_size = {};  ///< by tag of the solid: where no face size applies, the smallest of these
-    /// The same by the names of faces and solids in the file; each must name some. Blocks know one size only: they are
-    /// refused where others are asked for.
-    std::map<std::string, double> named_size = {};
+    LocalLengths local = {};                ///< others for some edges, faces and solids
+    double max_hexahedra = 0;               ///< refused where more are to be expected by volume and size; 0: no limit
     /// Tried in this order; empty: all, in the order of PartMethod.
     std::vector<PartMethod> methods = {};
     /// Nothing more is tried once a valid mesh has a least scaled Jacobian of this.
     double sufficient = 0.2;
     bool node_entities = true;  ///< fill PartMesh::entities: some evaluations of the model for each boundary node
     double seconds = 60;  ///< limit for each solid; 0: none. A method that others follow may use half of what is left
+    double call_seconds = 0;  ///< limit of the whole call; solids not yet meshed share what is left. 0: none
     Execution execution = sequential;  ///< its stop token ends the call by Stopped
     Progress progress = {};            ///< never runs backwards
-
-    [[nodiscard]] bool local_sizes() const {
-        return !edge_size.empty() || !face_size.empty() || !solid_size.empty() || !named_size.empty();
-    }
 };
 
 }  // namespace pavior

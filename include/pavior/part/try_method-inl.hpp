@@ -27,13 +27,14 @@ inline void try_block(Trial& trial) {
         throw UnmeshableError(ErrorCode::invalid_dual,
                               "blocks are made of one solid, these are " + std::to_string(trial.solids.size()));
     }
-    if (trial.options.local_sizes()) {
-        throw UnmeshableError(ErrorCode::bad_option, "blocks know one size, local ones are asked for");
-    }
     BlockOptions own;
     own.execution = trial.options.execution;
     own.refine.emplace();
-    own.refine->size = trial.size();
+    const LocalLengths& local = trial.options.local;
+    const auto whole = local.solid.find(trial.model.tag(3, trial.solids[0].index()));
+    own.refine->size = whole != local.solid.end() ? whole->second : trial.size();
+    own.refine->curve_size = local.edge;
+    own.refine->patch_size = local.face;
     const BlockedModel model = block_model(trial.model, trial.solids[0], own, trial.kernels.reference);
     if (model.shallow_creases) {
         result.notes.emplace_back("edges of less than 45 degrees are features, too, since all faces are plane");

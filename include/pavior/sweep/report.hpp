@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -42,6 +43,9 @@ struct LevelResidual {
     double max = 0;  ///< largest distance between a loop point and its image, worse of both caps
     double rms = 0;  ///< root mean square of these distances, worse of both caps
 };
+
+/// \p warning as a sentence.
+[[nodiscard]] std::string text_of(const SweepWarning& warning);
 
 /// Report of sweep(). Times are wall-clock seconds.
 struct SweepReport {

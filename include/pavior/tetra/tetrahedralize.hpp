@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 
 namespace pavior {
 
@@ -33,6 +34,7 @@ struct TetOptions {
     bool keep_surface = true;
     /// Seconds that one run of the engine may take; 0: no limit. It is stopped then, whatever it does.
     double time_limit = 600.0;
+    std::stop_token stop = {};  ///< ends the call by Stopped
 };
 
 /// Fills \p surface, whose triangles close one or several shells (cavities and solids within them included), with
@@ -53,7 +55,7 @@ struct TetOptions {
 /// Thread-safe; deterministic. About 10 microseconds and 350 bytes a tetrahedron, both processes together.
 /// \throws InputError what check_surface() finds, naming triangles; bad_index for tagged edges that are no edges of
 ///         triangles and tagged vertices that are no nodes, naming them; size_mismatch (face_tags); bad_option;
-///         tetrahedra_failed with what the engine said to each attempt, or that time was over
+///         tetrahedra_failed with what the engine said to each attempt, or that time was over; Stopped
 [[nodiscard]] TaggedTetMesh tetrahedralize(const TaggedSurface& surface, const TetOptions& options = {});
 
 /// The same with inner facets: triangles on nodes of \p surface (which may lie inside) that become faces with

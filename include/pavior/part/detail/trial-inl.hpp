@@ -18,14 +18,14 @@ namespace pavior::detail {
 [[nodiscard]] inline IntervalOptions wishes_of(const Trial& trial) {
     IntervalOptions wishes;
     wishes.size = trial.size();
-    wishes.edge_size = trial.options.edge_size;
-    wishes.face_size = trial.options.face_size;
-    wishes.solid_size = trial.options.solid_size;
+    wishes.edge_size = trial.options.local.edge;
+    wishes.face_size = trial.options.local.face;
+    wishes.solid_size = trial.options.local.solid;
     return wishes;
 }
 
 [[nodiscard]] inline LocalSizes local_sizes(const Trial& trial) {
-    return {trial.options.edge_size, trial.options.face_size, trial.options.solid_size};
+    return {trial.options.local.edge, trial.options.local.face, trial.options.local.solid};
 }
 
 PAVIOR_INLINE void try_submap(Trial& trial) {
