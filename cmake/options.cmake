@@ -10,6 +10,7 @@ option(PAVIOR_BUILD_CLI "The program pavior (needs all of these but COMPILED)" $
 option(PAVIOR_BUILD_TESTS "Tests" ${PROJECT_IS_TOP_LEVEL})
 option(PAVIOR_BUILD_EXAMPLES "Examples" ${PROJECT_IS_TOP_LEVEL})
 option(PAVIOR_BUILD_BENCH "Benchmarks" OFF)
+option(PAVIOR_BUILD_FUZZ "Programs of libFuzzer (clang; needs IO, CAD, GLPK and IMPRINT)" OFF)
 option(PAVIOR_ASSERTIONS "Assertions in the compiled library whatever the build type: our own tests" OFF)
 option(PAVIOR_INSTALL "Install rules" ${PROJECT_IS_TOP_LEVEL})
 option(PAVIOR_WARNINGS_AS_ERRORS "Our own CI: warnings on, and every one an error" OFF)

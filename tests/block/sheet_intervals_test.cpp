@@ -13,10 +13,23 @@ using pavior::InputError;
 using pavior::Vec3;
 
 namespace {
-std::vector<pavior::SheetIntervals> intervals(const Case& c, double size) {
+std::vector<pavior::SheetIntervals> intervals(const Case& c, const pavior::BlockLengths& lengths) {
     const auto blocks = pavior::dualize(c.mesh, c.topology, c.classes, c.complex);
     const auto geometry = pavior::block_geometry(c.mesh, c.topology, c.complex);
-    return pavior::sheet_intervals(blocks, geometry, pavior::place_blocks(blocks, geometry), {size, {}, {}});
+    return pavior::sheet_intervals(blocks, geometry, pavior::place_blocks(blocks, geometry), lengths);
+}
+
+std::vector<pavior::SheetIntervals> intervals(const Case& c, double size) {
+    return intervals(c, pavior::BlockLengths{size, {}, {}});
+}
+
+std::vector<std::uint32_t> numbers(const std::vector<pavior::SheetIntervals>& sheets) {
+    std::vector<std::uint32_t> result;
+    for (const auto& sheet : sheets) {
+        result.push_back(sheet.intervals);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
 }
 }  // namespace
 
@@ -24,15 +37,12 @@ TEST_CASE("the intervals of a sheet are its mean length by the size", "[sheet_in
     const Case c = block_cases::grid({2, 2, 2}, {}, [](const Vec3& x) { return Vec3(4 * x[0], 2 * x[1], x[2]); });
     const auto sheets = intervals(c, 0.25);
     REQUIRE(sheets.size() == 6);
-    std::vector<std::uint32_t> numbers;
     for (const auto& sheet : sheets) {
         CHECK(sheet.edges == 9);
         CHECK(sheet.shortest == Approx(sheet.longest));
         CHECK(sheet.mean == Approx(0.25 * sheet.intervals));
-        numbers.push_back(sheet.intervals);
     }
-    std::sort(numbers.begin(), numbers.end());
-    CHECK(numbers == std::vector<std::uint32_t>{2, 2, 4, 4, 8, 8});
+    CHECK(numbers(sheets) == std::vector<std::uint32_t>{2, 2, 4, 4, 8, 8});
 }
 
 TEST_CASE("lengths run along the geometry", "[sheet_intervals]") {
@@ -62,4 +72,35 @@ TEST_CASE("without a size there are two intervals, with a great one a single one
           }) == pavior::dualize(c.mesh, c.topology, c.classes, c.complex).edges.size());
     CHECK_THROWS_AS(intervals(c, std::nan("")), InputError);
     CHECK_THROWS_AS(intervals(c, 1e-12), InputError);
+}
+
+TEST_CASE("curves and patches may have lengths of their own", "[sheet_intervals]") {
+    const Case c = block_cases::grid({2, 2, 2}, {}, [](const Vec3& x) { return Vec3(4 * x[0], 2 * x[1], x[2]); });
+    const auto tag_at = [&](const auto& on) {  // of the curve of which all nodes are
+        for (const auto& edge : c.mesh.curves) {
+            if (on(c.mesh.nodes[edge.nodes[0]]) && on(c.mesh.nodes[edge.nodes[1]])) {
+                return edge.curve;
+            }
+        }
+        return -1;
+    };
+    const std::int32_t along = tag_at([](const Vec3& x) { return x[1] == 0 && x[2] == 0; });
+    REQUIRE(along >= 0);
+    const pavior::BlockLengths curve{1, {{along, 0.125}}, {}};
+    CHECK(numbers(intervals(c, curve)) == std::vector<std::uint32_t>{1, 1, 1, 1, 16, 16});
+
+    const auto blocks = pavior::dualize(c.mesh, c.topology, c.classes, c.complex);
+    std::int32_t top = -1;  // the patch on z = 1
+    for (std::size_t i = blocks.first[2]; i < blocks.first[3]; ++i) {
+        const auto geometry = pavior::block_geometry(c.mesh, c.topology, c.complex);
+        const Vec3 x = pavior::place_blocks(blocks, geometry).positions[i];
+        top = x[2] == 1 ? blocks.nodes[i].geometry.tag : top;
+    }
+    REQUIRE(top >= 0);
+    const pavior::BlockLengths patch{1, {}, {{top, 0.25}}};
+    CHECK(numbers(intervals(c, patch)) == std::vector<std::uint32_t>{1, 1, 4, 4, 8, 8});
+    const pavior::BlockLengths both{1, {{along, 0.125}}, {{top, 0.25}}};  // the curve goes before the patch
+    CHECK(numbers(intervals(c, both)) == std::vector<std::uint32_t>{1, 1, 4, 4, 16, 16});
+    CHECK_THROWS_AS(intervals(c, pavior::BlockLengths{1, {{along, 0}}, {}}), InputError);
+    CHECK_THROWS_AS(intervals(c, pavior::BlockLengths{1, {}, {{top, std::nan("")}}}), InputError);
 }
