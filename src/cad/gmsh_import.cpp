@@ -1,6 +1,7 @@
 #include "gmsh_import.hpp"
 
 #include "../common/file_extension.hpp"
+#include "step_names.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include <csignal>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 
 #include <poll.h>
 #include <sys/wait.h>
@@ -213,13 +215,34 @@ EntityNames read_names() {
     return names;
 }
 
+EntityNames read_names(const std::filesystem::path& file) {
+    EntityNames names = read_names();
+    if (cad_format(file) == "step") {
+        std::ifstream stream(file, std::ios::binary);
+        name_step_entities({std::istreambuf_iterator<char>(stream), {}}, names);
+    }
+    return names;
+}
+
 namespace {
 
-/// The named face of the original model that contains the point, or 0.
-int original_face(const GmshModel& original, const EntityNames& names, const Vec3& point, double tolerance) {
+bool inside_box(const std::array<double, 6>& box, const Vec3& point, double tolerance) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double x = point[static_cast<Eigen::Index>(k)];
+        if (x < box[k] - tolerance || x > box[k + 3] + tolerance) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The named face of the original model that contains the point, or 0. \p boxes are those of its faces.
+int original_face(const GmshModel& original, const EntityNames& names,
+                  const std::map<int, std::array<double, 6>>& boxes, const Vec3& point, double tolerance) {
     for (const auto& [entity, name] : names) {
         Vec2 uv;
-        if (entity.first != 2 || !original.project_on_face(entity.second, point, uv)) {
+        if (entity.first != 2 || !inside_box(boxes.at(entity.second), point, tolerance) ||
+            !original.project_on_face(entity.second, point, uv)) {
             continue;
         }
         std::array<Vec3, 1> there;
@@ -229,6 +252,12 @@ int original_face(const GmshModel& original, const EntityNames& names, const Vec
         }
     }
     return 0;
+}
+
+std::array<double, 6> bounding_box(int dim, int tag) {
+    std::array<double, 6> box{};
+    gmsh::model::getBoundingBox(dim, tag, box[0], box[1], box[2], box[3], box[4], box[5]);
+    return box;
 }
 
 /// The centre of one triangle-like piece of the face: a point inside it by trial on a grid.
@@ -252,9 +281,10 @@ bool point_inside(const GmshModel& model, int tag, Vec3& point) {
 
 }  // namespace
 
-EntityNames imprint_solids(const GmshModel& model, const std::function<void()>& populate) {
+EntityNames imprint_solids(const GmshModel& model, const std::function<void()>& populate,
+                           const std::filesystem::path& file) {
     const GmshModel::Current current(model);
-    const EntityNames before = read_names();
+    const EntityNames before = read_names(file);
     const gmsh::vectorpair solids = entities(3);
     gmsh::vectorpair pieces;
     std::vector<gmsh::vectorpair> map;
@@ -271,17 +301,20 @@ EntityNames imprint_solids(const GmshModel& model, const std::function<void()>& 
     }
     if (std::any_of(before.begin(), before.end(), [](const auto& entry) { return entry.first.first == 2; })) {
         const GmshModel original;
+        std::map<int, std::array<double, 6>> boxes;
         {
             const GmshModel::Current there(original);
             populate();
+            for (const auto& [dim, tag] : entities(2)) {
+                boxes.emplace(tag, bounding_box(dim, tag));
+            }
         }
-        std::array<double, 6> box{};
-        gmsh::model::getBoundingBox(-1, -1, box[0], box[1], box[2], box[3], box[4], box[5]);
+        const std::array<double, 6> box = bounding_box(-1, -1);
         const double diagonal = Vec3(box[3] - box[0], box[4] - box[1], box[5] - box[2]).norm();
         for (const auto& face : entities(2)) {
             Vec3 point;
             if (point_inside(model, face.second, point)) {
-                if (const int tag = original_face(original, before, point, 1e-6 * diagonal); tag != 0) {
+                if (const int tag = original_face(original, before, boxes, point, 1e-6 * diagonal); tag != 0) {
                     after[face] = before.at({2, tag});
                 }
             }

@@ -5,6 +5,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkIntArray.h>
@@ -21,17 +22,21 @@ namespace pavior::io {
 
 namespace {
 
-/// Name, dimension and number of a group, as one string: "3 1 bolt".
-vtkSmartPointer<vtkStringArray> make_group_names(const HexMeshData& data) {
-    auto names = vtkSmartPointer<vtkStringArray>::New();
-    names->SetName("group_names");
-    for (const MeshGroup& group : data.groups) {
-        names->InsertNextValue(std::to_string(group.dimension) + " " + std::to_string(group.number) + " " + group.name);
+/// One array a group, called as it is: number, dimension. That is how meshio hands on the names of Gmsh's groups; it
+/// cannot read text.
+void add_group_names(vtkFieldData& fields, const std::vector<MeshGroup>& groups) {
+    for (const MeshGroup& group : groups) {
+        if (!group.name.empty()) {
+            const vtkNew<vtkIntArray> array;
+            array->SetName(group.name.c_str());
+            array->InsertNextValue(group.number);
+            array->InsertNextValue(group.dimension);
+            fields.AddArray(array);
+        }
     }
-    return names;
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> make_grid(const HexMeshData& data) {
+vtkSmartPointer<vtkUnstructuredGrid> make_grid(const HexMeshData& data, const std::vector<MeshGroup>& names) {
     auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
     grid->SetPoints(make_points(data.mesh.nodes));
     grid->Allocate(static_cast<vtkIdType>(data.mesh.hexes.size() + data.quads.size()));
@@ -50,9 +55,7 @@ vtkSmartPointer<vtkUnstructuredGrid> make_grid(const HexMeshData& data) {
         add(data.quads[i], VTK_QUAD, group_of(data.quad_groups, i));
     }
     grid->GetCellData()->AddArray(groups);
-    if (!data.groups.empty()) {
-        grid->GetFieldData()->AddArray(make_group_names(data));
-    }
+    add_group_names(*grid->GetFieldData(), names);
     return grid;
 }
 
@@ -81,8 +84,25 @@ void read_cells(const std::string& file, vtkUnstructuredGrid& grid, HexMeshData&
     }
 }
 
+/// The groups of add_group_names(), and of files of versions before: text, "3 1 bolt".
 void read_group_names(vtkUnstructuredGrid& grid, HexMeshData& data) {
-    auto* names = vtkStringArray::SafeDownCast(grid.GetFieldData()->GetAbstractArray("group_names"));
+    vtkFieldData& fields = *grid.GetFieldData();
+    for (int a = 0; a < fields.GetNumberOfArrays(); ++a) {
+        auto* numbers = vtkDataArray::SafeDownCast(fields.GetAbstractArray(a));
+        const char* name = fields.GetArrayName(a);
+        if (name == nullptr || numbers == nullptr || numbers->GetNumberOfValues() != 2 ||
+            numbers->GetDataType() == VTK_FLOAT || numbers->GetDataType() == VTK_DOUBLE) {
+            continue;
+        }
+        const auto value = [&](int i) {
+            const int width = numbers->GetNumberOfComponents();
+            return static_cast<int>(numbers->GetComponent(i / width, i % width));
+        };
+        if (value(1) == 2 || value(1) == 3) {
+            data.groups.push_back({value(1), value(0), name});
+        }
+    }
+    auto* names = vtkStringArray::SafeDownCast(fields.GetAbstractArray("group_names"));
     for (vtkIdType i = 0; names != nullptr && i < names->GetNumberOfValues(); ++i) {
         std::istringstream text(names->GetValue(i));
         MeshGroup group;
@@ -95,9 +115,9 @@ void read_group_names(vtkUnstructuredGrid& grid, HexMeshData& data) {
 
 }  // namespace
 
-void write_vtk(const std::string& file, const HexMeshData& data, bool xml) {
-    const vtkSmartPointer<vtkUnstructuredGrid> grid = make_grid(data);
-    write_grid(file, *grid, xml, "hexahedral mesh by pavior");
+void write_vtk(CheckedOutput& out, const HexMeshData& data, const std::vector<MeshGroup>& groups, bool xml) {
+    const vtkSmartPointer<vtkUnstructuredGrid> grid = make_grid(data, groups);
+    write_grid(out, *grid, xml, "hexahedral mesh by pavior");
 }
 
 HexMeshData read_vtk(const std::string& file, bool xml) {
