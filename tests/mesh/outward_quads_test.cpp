@@ -1,4 +1,5 @@
 #include "support/catch.hpp"
+#include "support/foreign_meshes.hpp"
 #include "support/shapes.hpp"
 
 #include <pavior/mesh/face_table.hpp>
@@ -26,7 +27,7 @@ TEST_CASE("quads are found on the faces of hexahedra, whatever their sense") {
     const HexMeshData data = two_cubes(1, 2);
     const QuadCorners top = hex_face(data.mesh.hexes[0], 1);
     const std::vector<QuadCorners> quads{top, turned(top), hex_face(data.mesh.hexes[1], 3), {0, 1, 2, 11}};
-    const auto faces = faces_under_quads(data.mesh.hexes, quads);
+    const auto faces = faces_under_quads(data.mesh, quads);
     REQUIRE(faces.size() == 4);
     for (const std::size_t q : {0, 1}) {
         CHECK(faces[q][0] == HexFace{0, 1});
@@ -35,7 +36,9 @@ TEST_CASE("quads are found on the faces of hexahedra, whatever their sense") {
     CHECK(faces[2][0] == HexFace{1, 3});
     CHECK(faces[2][1].hex == no_index);
     CHECK(faces[3][0].hex == no_index);
-    CHECK(faces_under_quads(data.mesh.hexes, {}).empty());
+    CHECK(faces_under_quads(data.mesh, {}).empty());
+    const archetype::Hexes foreign(data.mesh);
+    CHECK(faces_under_quads(foreign, quads) == faces);
 }
 
 TEST_CASE("outer quads are turned outward, and those that are keep their bytes") {
