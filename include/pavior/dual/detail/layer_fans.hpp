@@ -44,6 +44,9 @@ public:
     /// Nodes of class layer with not one fan of layer faces, nodes of class stack with a fan that does not lead from
     /// one stack edge to the other. Nodes where layers or chains dangle are left out.
     [[nodiscard]] std::vector<Index> pinched_nodes() {
+        if (faces_.empty()) {
+            return {};  // and g++ 12 does not warn of an array without bytes
+        }
         DisjointSets fans(3 * faces_.size());
         for (const Index l : stoppable(IndexRange(faces_.size()), stop_)) {
             for (const Index e : topology_.face_edges[faces_[l]]) {
