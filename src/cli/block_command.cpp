@@ -103,11 +103,11 @@ ExitCode finish(const BlockCommand& command, const BlockReference& input, const 
     const std::vector<std::string> warnings = warnings_of(command, solid);
     const bool written = check.valid() || command.keep_invalid;
     if (written) {
-        write_mesh(command.output, data);
+        write_mesh(command.output, data, {command.format});
     }
     json["output"] = written ? Json(command.output) : Json();
     json["seconds"] = seconds;
-    json["mesh"] = detail::to_json(data, check);
+    json["mesh"] = detail::to_json(data, check, written_format(command.output, command.format, written));
     json["warnings"] = warnings;
     json["exit_code"] = static_cast<int>(check.valid() ? exit_valid : exit_invalid);
     write_report(command.report, json);
@@ -135,9 +135,7 @@ ExitCode finish(const BlockCommand& command, const BlockReference& input, const 
 }  // namespace
 
 ExitCode run_block(const BlockCommand& command) {
-    if (!can_write_mesh(command.output)) {
-        throw FileError(command.output, "unknown mesh format; known are .vtu .vtk .msh .inp");
-    }
+    static_cast<void>(mesh_format(command.output, command.format));  // refuses what cannot be written
     if (!(command.mu > 0.0 && command.mu < 0.25)) {
         throw InputError(ErrorCode::bad_option, "--mu must lie between 0 and 1/4");
     }

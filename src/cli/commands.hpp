@@ -4,6 +4,7 @@
 
 #include <pavior/affine/method.hpp>
 #include <pavior/block/block_mesh.hpp>
+#include <pavior/io/mesh_file.hpp>
 #include <pavior/marking/marking.hpp>
 #include <pavior/part/part_options.hpp>
 #include <pavior/sweep/boundary_error.hpp>
@@ -20,6 +21,7 @@ namespace pavior::cli {
 /// Options of `pavior sweep`.
 struct SweepCommand {
     std::string input, output;
+    MeshFormat format = MeshFormat::by_extension;
     double size = 0;  ///< 0: a twelfth of the diagonal of the model
     std::map<int, double> edge_size, face_size, solid_size;
     std::optional<int> layers;
@@ -37,6 +39,7 @@ struct SweepCommand {
 /// Options of `pavior block`.
 struct BlockCommand {
     std::string input, output;
+    MeshFormat format = MeshFormat::by_extension;
     double size = 0;  ///< 0: blocks only
     Marking marking = Marking::sheets;
     Propagation propagation = Propagation::full;
@@ -53,6 +56,7 @@ struct BlockCommand {
 /// Options of `pavior mesh`.
 struct MeshCommand {
     std::string input, output;
+    MeshFormat format = MeshFormat::by_extension;
     double size = 0;                   ///< 0: a twelfth of the diagonal of the model
     std::optional<PartMethod> method;  ///< unset: each in turn
     double timeout = 60;               ///< seconds a solid; 0: no limit

@@ -50,10 +50,20 @@ void add_choice(CLI::App& app, const std::string& option, T& value, const std::m
     app.add_option_function<std::string>(option, set, help)->check(CLI::IsMember(choices))->type_name(names);
 }
 
+void add_output(CLI::App& app, std::string& output, MeshFormat& format) {
+    app.add_option("-o,--output", output, "mesh to write (.vtu .vtk .msh .inp)")->required();
+    add_choice(app, "--format", format,
+               {{"msh4", MeshFormat::msh41},
+                {"msh4-ascii", MeshFormat::msh41_ascii},
+                {"msh2", MeshFormat::msh22},
+                {"msh2-ascii", MeshFormat::msh22_ascii}},
+               "kind of a .msh file: Gmsh 4.1 (msh4, default) or 2.2, binary or text");
+}
+
 void add_sweep(CLI::App& app, SweepCommand& command, std::vector<std::string>& local_sizes) {
     app.add_option("input", command.input, "CAD model (.step .stp .iges .igs .brep) or sweep problem (.json)")
         ->required();
-    app.add_option("-o,--output", command.output, "mesh to write (.vtu .vtk .msh .inp)")->required();
+    add_output(app, command.output, command.format);
     app.add_option("--size", command.size, "length of mesh edges; default: a twelfth of the model's diagonal")
         ->check(CLI::PositiveNumber);
     app.add_option("--local-size", local_sizes, "other length for one entity: edge:12=0.5, face:3=1, solid:1=2");
@@ -88,7 +98,7 @@ void add_block(CLI::App& app, BlockCommand& command) {
            "closed surface (.stl .obj .off .ply), CAD model (.step .stp .iges .igs .brep) or tetrahedra (.vtk .vtu "
            ".msh)")
         ->required();
-    app.add_option("-o,--output", command.output, "mesh to write (.vtu .vtk .msh .inp)")->required();
+    add_output(app, command.output, command.format);
     app.add_option("--size", command.size,
                    "write a fine mesh on the geometry with edges of this length; default: the blocks themselves")
         ->check(CLI::PositiveNumber);
@@ -115,7 +125,7 @@ void add_block(CLI::App& app, BlockCommand& command) {
 
 void add_mesh(CLI::App& app, MeshCommand& command) {
     app.add_option("input", command.input, "CAD model (.step .stp .iges .igs .brep)")->required();
-    app.add_option("-o,--output", command.output, "mesh to write (.vtu .vtk .msh .inp)")->required();
+    add_output(app, command.output, command.format);
     app.add_option("--size", command.size, "length of mesh edges; default: a twelfth of the model's diagonal")
         ->check(CLI::PositiveNumber);
     const std::map<std::string, std::optional<PartMethod>> methods{

@@ -111,14 +111,14 @@ ExitCode finish(const SweepCommand& command, Swept& swept, double seconds) {
     const MeshCheck check = check_mesh(swept.data.mesh, Execution{command.threads});
     const bool written = check.valid() || command.keep_invalid;
     if (written) {
-        write_mesh(command.output, swept.data);
+        write_mesh(command.output, swept.data, {command.format});
     }
     Json& json = swept.report;
     json["input"] = command.input;
     json["output"] = written ? Json(command.output) : Json();
     json["options"] = options_json(command);
     json["seconds"] = seconds;
-    json["mesh"] = detail::to_json(swept.data, check);
+    json["mesh"] = detail::to_json(swept.data, check, written_format(command.output, command.format, written));
     json["warnings"] = swept.warnings;
     json["exit_code"] = static_cast<int>(check.valid() ? exit_valid : exit_invalid);
     write_report(command.report, json);
@@ -140,9 +140,7 @@ ExitCode run_sweep(const SweepCommand& command) {
     if (!problem && !can_read_cad(command.input)) {
         throw FileError(command.input, "unknown input format; known are .step .stp .iges .igs .brep .json");
     }
-    if (!can_write_mesh(command.output)) {
-        throw FileError(command.output, "unknown mesh format; known are .vtu .vtk .msh .inp");
-    }
+    static_cast<void>(mesh_format(command.output, command.format));  // refuses what cannot be written
     check_options(command, problem);
     const Stopwatch watch;
     Swept swept = [&] {

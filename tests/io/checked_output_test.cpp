@@ -3,6 +3,7 @@
 #include "support/catch.hpp"
 
 #include <pavior/core/error.hpp>
+#include <pavior/io/mesh_file.hpp>
 
 #include <filesystem>
 #include <fstream>
