@@ -1,6 +1,6 @@
 #include "cad/step_names.hpp"
 
-#include "brep_checks.hpp"
+#include "cad/brep_checks.hpp"
 #include "support/catch.hpp"
 #include "support/scratch.hpp"
 

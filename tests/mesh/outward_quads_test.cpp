@@ -29,7 +29,7 @@ TEST_CASE("quads are found on the faces of hexahedra, whatever their sense") {
     const std::vector<QuadCorners> quads{top, turned(top), hex_face(data.mesh.hexes[1], 3), {0, 1, 2, 11}};
     const auto faces = faces_under_quads(data.mesh, quads);
     REQUIRE(faces.size() == 4);
-    for (const std::size_t q : {0, 1}) {
+    for (const std::size_t q : {std::size_t{0}, std::size_t{1}}) {
         CHECK(faces[q][0] == HexFace{0, 1});
         CHECK(faces[q][1] == HexFace{1, 0});
     }
