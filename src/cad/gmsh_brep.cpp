@@ -36,8 +36,9 @@ struct GmshBrep::Data {
         populate();
         gmsh::vectorpair solids;
         gmsh::model::getEntities(solids, 3);
-        const detail::EntityNames names =
-            options.imprint && solids.size() > 1 ? detail::imprint_solids(model, populate, file) : detail::read_names(file);
+        const detail::EntityNames names = options.imprint && solids.size() > 1
+                                              ? detail::imprint_solids(model, populate, file)
+                                              : detail::read_names(file);
         topology = detail::read_topology(model);
         for (detail::FaceData& f : topology.faces) {
             const auto name = names.find({2, f.tag});

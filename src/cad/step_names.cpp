@@ -88,7 +88,8 @@ std::vector<KernelSolid> kernel_solids() {
 /// True if \p label is a path whose last part is \p name, as it stands in the file or as it is meant.
 bool ends_with(const std::string& label, const std::string& name) {
     const auto ends = [&](const std::string& end) {
-        return !end.empty() && label.size() > end.size() && label.compare(label.size() - end.size(), end.size(), end) == 0 &&
+        return !end.empty() && label.size() > end.size() &&
+               label.compare(label.size() - end.size(), end.size(), end) == 0 &&
                label[label.size() - end.size() - 1] == '/';
     };
     return ends(name) || ends(step_string(name));

@@ -70,7 +70,12 @@ void take_wide(std::string_view& text, std::size_t digits, std::string& result) 
 /// Bytes of a UTF-8 character at the front of \p text, 0 if they are none.
 std::size_t utf8_size(std::string_view text) {
     const auto lead = static_cast<unsigned char>(text[0]);
-    const std::size_t size = lead < 0x80 ? 1 : lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : lead < 0xF5 ? 4 : 0;
+    const std::size_t size = lead < 0x80   ? 1
+                             : lead < 0xC2 ? 0
+                             : lead < 0xE0 ? 2
+                             : lead < 0xF0 ? 3
+                             : lead < 0xF5 ? 4
+                                           : 0;
     for (std::size_t i = 1; i < size; ++i) {
         if (i >= text.size() || (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80) {
             return 0;
@@ -266,7 +271,7 @@ private:
 
 std::string_view unquoted(std::string_view text) {
     return text.size() >= 2 && text.front() == '\'' && text.back() == '\'' ? text.substr(1, text.size() - 2)
-                                                                          : std::string_view();
+                                                                           : std::string_view();
 }
 
 /// A name that somebody gave.
@@ -357,7 +362,7 @@ private:
         }
     }
 
-    /// The solids of a representation, of those it is related to, and of those that it holds placed. \p path leads here.
+    /// The solids of a representation, of those it is related to, and of those that it holds placed; \p path leads here.
     void collect(Id representation, bool placed, std::vector<Id>& path,
                  std::vector<std::pair<Id, bool>>& solids) const {
         if (std::find(path.begin(), path.end(), representation) != path.end()) {

@@ -19,9 +19,9 @@ struct StepFace {
 
 /// A solid where the product structure puts it.
 struct StepSolid {
-    std::string name;      ///< of the product, or of the solid; see read_step_solids()
-    std::string product;   ///< as it stands in the file, escapes and all
-    bool placed = false;   ///< by an assembly: its vertices are not where they say
+    std::string name;     ///< of the product, or of the solid; see read_step_solids()
+    std::string product;  ///< as it stands in the file, escapes and all
+    bool placed = false;  ///< by an assembly: its vertices are not where they say
     std::vector<StepFace> faces;
     std::vector<Vec3> vertices;  ///< each once
 };

@@ -14,8 +14,8 @@
 
 namespace pavior::io {
 
-/// Buffered output to a new file. A write that fails throws FileError; behind a std::ostream, which swallows exceptions,
-/// it is finish() that throws.
+/// Buffered output to a new file. A write that fails throws FileError; behind a std::ostream, which swallows
+/// exceptions, it is finish() that throws.
 class CheckedOutput : public std::streambuf {
 public:
     /// \param path   the file, made or emptied
@@ -34,9 +34,7 @@ public:
     /// The bytes of a number as they are in memory.
     template <class Value>
     requires std::is_arithmetic_v<Value>
-    void raw(Value value) {
-        bytes(&value, sizeof value);
-    }
+    void raw(Value value) { bytes(&value, sizeof value); }
 
     /// A number in decimal digits.
     template <std::integral Value>
@@ -56,7 +54,8 @@ public:
         used_ += static_cast<std::size_t>(end - at);
     }
 
-    /// Writes what is left and closes the file; nothing if that was done. \throws FileError if any byte was lost, now or before
+    /// Writes what is left and closes the file; nothing if that was done.
+    /// \throws FileError if any byte was lost, now or before
     void finish();
 
 protected:

@@ -20,11 +20,11 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 /// Bytes of the UTF-8 character at the front of \p text; 0 if there is none.
 std::size_t character(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const std::size_t size = byte(0) < 0x80                        ? 1
-                             : byte(0) >= 0xC2 && byte(0) < 0xE0   ? 2
-                             : byte(0) >= 0xE0 && byte(0) < 0xF0   ? 3
-                             : byte(0) >= 0xF0 && byte(0) <= 0xF4  ? 4
-                                                                   : 0;
+    const std::size_t size = byte(0) < 0x80                       ? 1
+                             : byte(0) >= 0xC2 && byte(0) < 0xE0  ? 2
+                             : byte(0) >= 0xE0 && byte(0) < 0xF0  ? 3
+                             : byte(0) >= 0xF0 && byte(0) <= 0xF4 ? 4
+                                                                  : 0;
     if (size == 0 || size > text.size()) {
         return 0;
     }
@@ -151,9 +151,9 @@ std::vector<MeshGroup> listed(const HexMeshData& data, bool all) {
         }
     }
     std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return order(a) < order(b); });
-    groups.erase(std::unique(groups.begin(), groups.end(),
-                             [](const auto& a, const auto& b) { return order(a) == order(b); }),
-                 groups.end());
+    groups.erase(
+        std::unique(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return order(a) == order(b); }),
+        groups.end());
     return groups;
 }
 

@@ -123,9 +123,9 @@ TEST_CASE("solids and faces have their own names where the product has none") {
 
 TEST_CASE("names of faces go to the faces that the file means") {
     // A face in the plane x = 0 comes first in the file; the others are told by where they are.
-    const GmshBrep b = GmshBrep::load(saved("face.step", changed("pnames_slash.step",
-                                                                 {{"#39 = ADVANCED_FACE(''", "#39 = ADVANCED_FACE('low x'"},
-                                                                  {"#159 = ADVANCED_FACE(''", "#159 = ADVANCED_FACE('high x'"}})));
+    const GmshBrep b = GmshBrep::load(saved(
+        "face.step", changed("pnames_slash.step", {{"#39 = ADVANCED_FACE(''", "#39 = ADVANCED_FACE('low x'"},
+                                                   {"#159 = ADVANCED_FACE(''", "#159 = ADVANCED_FACE('high x'"}})));
     CHECK(places_of(b, "low x") == std::multiset<std::string>{"x=0"});
     CHECK(places_of(b, "high x").size() == 1);
     CHECK(places_of(b, "high x").begin()->rfind("x=", 0) == 0);
@@ -145,8 +145,7 @@ TEST_CASE("escapes of STEP are read, in labels too") {
     const auto text = changed("pnames_slash.step",
                               {{"PRODUCT('alu/plate','alu/plate'", "PRODUCT('a','Geh\\X2\\00E4\\X0\\use/\\X\\D8'"},
                                {"PRODUCT('steel/plate','steel/plate'", "PRODUCT('b','it''s a \\\\ plate'"}});
-    CHECK(solids(GmshBrep::load(saved("escapes.step", text))) ==
-          Names{"Geh\xC3\xA4use/\xC3\x98", "it's a \\ plate"});
+    CHECK(solids(GmshBrep::load(saved("escapes.step", text))) == Names{"Geh\xC3\xA4use/\xC3\x98", "it's a \\ plate"});
 }
 
 TEST_CASE("other units change no name") {
@@ -165,5 +164,6 @@ TEST_CASE("triangles of a CAD model carry the names of its faces") {
     for (const auto& [tag, name] : made.surface.face_names) {
         names.insert(name);
     }
-    CHECK(names == std::multiset<std::string>{"\xE5\x85\xA5\xE5\x8F\xA3", "in let", "in-let", "wall", "wall", "1inlet"});
+    CHECK(names ==
+          std::multiset<std::string>{"\xE5\x85\xA5\xE5\x8F\xA3", "in let", "in-let", "wall", "wall", "1inlet"});
 }

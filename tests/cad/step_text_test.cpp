@@ -37,7 +37,8 @@ using Names = std::vector<std::string>;
 
 /// Products 1 ... with a shape each; \p more are further records.
 std::string file_of(const std::string& more) {
-    return "ISO-10303-21;\nHEADER;\nFILE_NAME('#1 = PRODUCT(','2026');\nENDSEC;\nDATA;\n" + more + "ENDSEC;\nEND-ISO-10303-21;\n";
+    return "ISO-10303-21;\nHEADER;\nFILE_NAME('#1 = PRODUCT(','2026');\nENDSEC;\nDATA;\n" + more +
+           "ENDSEC;\nEND-ISO-10303-21;\n";
 }
 
 /// A product #n with definition #(n+2), shape #(n+3) and representation #(n+5), which holds \p items.
@@ -45,7 +46,7 @@ std::string product(int n, const std::string& name, const std::string& items) {
     const auto id = [n](int k) { return "#" + std::to_string(n + k); };
     return id(0) + "=PRODUCT('id','" + name + "','',(#9));\n" + id(1) + " = PRODUCT_DEFINITION_FORMATION('','', " +
            id(0) + ");" + id(2) + "=PRODUCT_DEFINITION('d','',\n" + id(1) + ",#9);\n" + id(3) +
-           "=PRODUCT_DEFINITION_SHAPE('','',"  + id(2) + ");" + id(4) + "=SHAPE_DEFINITION_REPRESENTATION(" + id(3) +
+           "=PRODUCT_DEFINITION_SHAPE('',''," + id(2) + ");" + id(4) + "=SHAPE_DEFINITION_REPRESENTATION(" + id(3) +
            "," + id(5) + ");\n" + id(5) + "=ADVANCED_BREP_SHAPE_REPRESENTATION('',(" + items + "),#9);\n";
 }
 
@@ -105,22 +106,25 @@ TEST_CASE("parts that are used twice are two solids, by assemblies, related repr
     const auto twice = detail::read_step_solids(file_of(product(1, "bolt", "#50") + assembly + solid));
     CHECK(names(twice) == Names{"bolt", "bolt"});
     CHECK(twice[0].placed);
-    const auto related = detail::read_step_solids(
-        file_of(product(1, "bolt", "#9") + "#80=SHAPE_REPRESENTATION_RELATIONSHIP('','',#6,#81);\n"
-                                           "#81=ADVANCED_BREP_SHAPE_REPRESENTATION('',(#50),#9);\n" + solid));
+    const auto related = detail::read_step_solids(file_of(product(1, "bolt", "#9") +
+                                                          "#80=SHAPE_REPRESENTATION_RELATIONSHIP('','',#6,#81);\n"
+                                                          "#81=ADVANCED_BREP_SHAPE_REPRESENTATION('',(#50),#9);\n" +
+                                                          solid));
     CHECK(names(related) == Names{"bolt"});
     CHECK_FALSE(related[0].placed);
-    const auto mapped = detail::read_step_solids(
-        file_of(product(1, "nuts", "#82,#83") + "#82=MAPPED_ITEM('',#84,#9);#83=MAPPED_ITEM('',#84,#9);\n"
-                                                "#84=REPRESENTATION_MAP(#9,#85);\n"
-                                                "#85=ADVANCED_BREP_SHAPE_REPRESENTATION('',(#50),#9);\n" + solid));
+    const auto mapped = detail::read_step_solids(file_of(product(1, "nuts", "#82,#83") +
+                                                         "#82=MAPPED_ITEM('',#84,#9);#83=MAPPED_ITEM('',#84,#9);\n"
+                                                         "#84=REPRESENTATION_MAP(#9,#85);\n"
+                                                         "#85=ADVANCED_BREP_SHAPE_REPRESENTATION('',(#50),#9);\n" +
+                                                         solid));
     CHECK(names(mapped) == Names{"nuts", "nuts"});
     CHECK(mapped[1].placed);
 }
 
 TEST_CASE("comments, semicolons in strings and nonsense do no harm") {
     CHECK(names(detail::read_step_solids(file_of("#50=MANIFOLD_SOLID_BREP('a;b,(c',#60);\n"))) == Names{"a;b,(c"});
-    CHECK(names(detail::read_step_solids(file_of("/* #50 = no; */ #50=MANIFOLD_SOLID_BREP('x',#60);\n"))) == Names{"x"});
+    CHECK(names(detail::read_step_solids(file_of("/* #50 = no; */ #50=MANIFOLD_SOLID_BREP('x',#60);\n"))) ==
+          Names{"x"});
     for (const char* text : {"", "DATA;", "DATA;#", "DATA;#1=", "DATA;#1=(A();B()", "DATA;#1=PRODUCT('", "DATA;/*",
                              "DATA;#1=MANIFOLD_SOLID_BREP('',#1);", "DATA;#1=NEXT_ASSEMBLY_USAGE_OCCURRENCE();"}) {
         CAPTURE(text);

@@ -115,8 +115,7 @@ std::array<std::size_t, 4> senses(const HexMeshData& data) {
         REQUIRE(first.hex != no_index);
         const bool shared = second.hex != no_index;
         const HexFace& own = shared && data.hex_groups[second.hex] < data.hex_groups[first.hex] ? second : first;
-        const bool out =
-            from_smallest(data.quads[q]) == from_smallest(hex_face(data.mesh.hexes[own.hex], own.face));
+        const bool out = from_smallest(data.quads[q]) == from_smallest(hex_face(data.mesh.hexes[own.hex], own.face));
         count[shared ? 3 : 1] += 1;
         count[shared ? 2 : 0] += out ? 1 : 0;
     }
@@ -171,8 +170,8 @@ TEST_CASE("names: solids of an STL file are its faces") {
 TEST_CASE("formats: what does not go with the ending is refused in words") {
     for (const char* command : {"mesh", "sweep", "block"}) {
         const std::string file = scratch_file("wrong.vtu");
-        const ProgramRun run = run_program(std::string(command) + " " + fault("partial_face.step") + " -o " + file +
-                                           " --format msh2");
+        const ProgramRun run =
+            run_program(std::string(command) + " " + fault("partial_face.step") + " -o " + file + " --format msh2");
         CHECK(run.code == 2);
         CHECK(run.err.find("goes with files that end in .msh, not in .vtu") != std::string::npos);
         CHECK_FALSE(std::filesystem::exists(file));

@@ -39,8 +39,8 @@ HexMeshData grouped_box(std::size_t n) {
 enum Outcome : int { fine = 0, silent = 1, wrong_error = 2, left_behind = 3, refused_whole = 4, wrong_size = 5 };
 
 /// In a child: the file is written with each limit of its size. The first thing that goes wrong is the exit code.
-Outcome write_with_limits(const fs::path& directory, const std::string& name, std::uintmax_t size,
-                          std::uintmax_t step, const std::function<void(const std::string&)>& write) {
+Outcome write_with_limits(const fs::path& directory, const std::string& name, std::uintmax_t size, std::uintmax_t step,
+                          const std::function<void(const std::string&)>& write) {
     std::signal(SIGXFSZ, SIG_IGN);
     const std::string file = directory / name;
     for (std::uintmax_t limit = 0; limit < size; limit += step) {
@@ -68,8 +68,7 @@ Outcome write_with_limits(const fs::path& directory, const std::string& name, st
     return fs::file_size(file) == size ? fine : wrong_size;
 }
 
-void check_limits(const std::string& name, std::uintmax_t parts,
-                  const std::function<void(const std::string&)>& write) {
+void check_limits(const std::string& name, std::uintmax_t parts, const std::function<void(const std::string&)>& write) {
     CAPTURE(name);
     const fs::path directory = fs::temp_directory_path() / ("pavior_full_disk_" + std::to_string(getpid()));
     fs::remove_all(directory);

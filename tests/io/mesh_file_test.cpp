@@ -85,7 +85,8 @@ TEST_CASE("every format keeps the bits of coordinates, the order of nodes and ce
 TEST_CASE("both versions of .msh, binary and text, are read back by Gmsh as they were written") {
     HexMeshData data = two_hexes();
     data.mesh.nodes[3] = {-1.7976931348623157e308, 5e-324, -0.0};
-    data.groups = {{3, 7, "Geh\xC3\xA4use \xC3\x98"}, {3, 9, "bolt \"M8\""}, {2, 1, "back\\slash\\"}, {2, 2, " it's\na "}};
+    data.groups = {
+        {3, 7, "Geh\xC3\xA4use \xC3\x98"}, {3, 9, "bolt \"M8\""}, {2, 1, "back\\slash\\"}, {2, 2, " it's\na "}};
     std::set<std::string> contents;
     for (const MeshFormat format :
          {MeshFormat::by_extension, MeshFormat::msh41_ascii, MeshFormat::msh22, MeshFormat::msh22_ascii}) {
@@ -123,7 +124,8 @@ TEST_CASE("groups of any numbers and in any order, and many of them, survive in 
         data.quad_groups.push_back(1000000 - static_cast<int>(h));
     }
     data.groups = {{3, 4, "d"}, {2, 1000000, "d"}};
-    for (const MeshFormat format : {MeshFormat::msh41, MeshFormat::msh41_ascii, MeshFormat::msh22, MeshFormat::msh22_ascii}) {
+    for (const MeshFormat format :
+         {MeshFormat::msh41, MeshFormat::msh41_ascii, MeshFormat::msh22, MeshFormat::msh22_ascii}) {
         const std::string file = scratch() / "many.msh";
         write_mesh(file, data, {format});
         const HexMeshData back = read_mesh(file);
@@ -191,8 +193,7 @@ std::vector<Section> sections(const std::string& file) {
 }
 
 const Section& section(const std::vector<Section>& all, const std::string& keyword) {
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const Section& one) { return one.keyword == keyword; });
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Section& one) { return one.keyword == keyword; });
     REQUIRE(found != all.end());
     return *found;
 }
@@ -263,7 +264,8 @@ TEST_CASE("Abaqus: sets of nodes, and surfaces of faces of hexahedra, for each g
             CHECK(surface.lines[q].at(1)[0] == 'S');
             // Abaqus counts the nodes of S1 from inside the hexahedron: the nodes are compared, the sense is S's own.
             CHECK(std::set<Index>(face.begin(), face.end()) == std::set<Index>(quads[q].begin(), quads[q].end()));
-            CHECK(number - 10 == std::stoi(surface.lines[q].at(1).substr(1)));  // of the hexahedron that it looks out of
+            CHECK(number - 10 ==
+                  std::stoi(surface.lines[q].at(1).substr(1)));  // of the hexahedron that it looks out of
         }
         static_cast<void>(section(all, "*NSET, NSET=" + label));
         static_cast<void>(section(all, "*ELEMENT, TYPE=S4, ELSET=" + label));

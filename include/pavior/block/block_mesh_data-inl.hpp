@@ -73,8 +73,7 @@ PAVIOR_INLINE HexMeshData block_mesh_data(const SolidBlocks& solid, const Tagged
     for (const int group : std::set<int>(data.quad_groups.begin(), data.quad_groups.end())) {
         const auto own = surface.face_names.find(group);
         const bool named = tagged && own != surface.face_names.end();
-        data.groups.push_back(
-            {2, group, named ? own->second : (tagged ? face : "patch ") + std::to_string(group)});
+        data.groups.push_back({2, group, named ? own->second : (tagged ? face : "patch ") + std::to_string(group)});
     }
     turn_quads_outward(data);
     return data;

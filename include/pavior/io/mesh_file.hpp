@@ -42,8 +42,8 @@ struct MeshWriteOptions {
 /// Names of groups are made legal and unique, see names_in_file(). Nodes keep their order (in .msh and .inp node i has
 /// tag i + 1) and coordinates their 64 bits. The file appears whole or not at all: it is written beside its place and
 /// renamed.
-/// \throws FileError (unknown extension, directory missing or not writable, disk full), InputError (size_mismatch of the
-///         groups)
+/// \throws FileError (unknown extension, directory missing or not writable, disk full, a cell with a node that does not
+///         exist), InputError (size_mismatch of the groups)
 void write_mesh(const std::string& file, const HexMeshData& data, const MeshWriteOptions& options = {});
 
 /// The same for the hexahedra of any hex_mesh, without quads and groups.
