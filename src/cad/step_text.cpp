@@ -362,7 +362,7 @@ private:
         }
     }
 
-    /// The solids of a representation, of those it is related to, and of those that it holds placed; \p path leads here.
+    /// The solids of a representation, of those it is related to, and of those it holds placed; \p path leads here.
     void collect(Id representation, bool placed, std::vector<Id>& path,
                  std::vector<std::pair<Id, bool>>& solids) const {
         if (std::find(path.begin(), path.end(), representation) != path.end()) {

@@ -85,7 +85,7 @@ private:
         }
     }
 
-    /// The face of the hexahedron under each quad, of the one that it looks out of. Abaqus counts faces as hex_faces does,
+    /// The face of the hexahedron under each quad, of the one that it looks out of. Abaqus counts as hex_faces does,
     /// from 1.
     void write_surfaces(const Members& groups) {
         const auto under = faces_under_quads(data_.mesh, data_.quads);
