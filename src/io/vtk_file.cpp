@@ -12,7 +12,7 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
-#include <vtkUnsignedCharArray.h>
+#include <vtkTypeInt64Array.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <cstdlib>
@@ -22,31 +22,41 @@ namespace pavior::io {
 
 namespace {
 
+/// An array of whole numbers. In .vtk they have 64 bits: meshio takes those of 32 for 64 in binary files.
+vtkSmartPointer<vtkDataArray> whole_numbers(const char* name, bool xml) {
+    vtkSmartPointer<vtkDataArray> array;
+    if (xml) {
+        array = vtkSmartPointer<vtkIntArray>::New();
+    } else {
+        array = vtkSmartPointer<vtkTypeInt64Array>::New();
+    }
+    array->SetName(name);
+    return array;
+}
+
 /// One array a group, called as it is: number, dimension. That is how meshio hands on the names of Gmsh's groups; it
 /// cannot read text.
-void add_group_names(vtkFieldData& fields, const std::vector<MeshGroup>& groups) {
+void add_group_names(vtkFieldData& fields, const std::vector<MeshGroup>& groups, bool xml) {
     for (const MeshGroup& group : groups) {
         if (!group.name.empty()) {
-            const vtkNew<vtkIntArray> array;
-            array->SetName(group.name.c_str());
-            array->InsertNextValue(group.number);
-            array->InsertNextValue(group.dimension);
+            const vtkSmartPointer<vtkDataArray> array = whole_numbers(group.name.c_str(), xml);
+            array->InsertNextTuple1(group.number);
+            array->InsertNextTuple1(group.dimension);
             fields.AddArray(array);
         }
     }
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> make_grid(const HexMeshData& data, const std::vector<MeshGroup>& names) {
+vtkSmartPointer<vtkUnstructuredGrid> make_grid(const HexMeshData& data, const std::vector<MeshGroup>& names, bool xml) {
     auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
     grid->SetPoints(make_points(data.mesh.nodes));
     grid->Allocate(static_cast<vtkIdType>(data.mesh.hexes.size() + data.quads.size()));
-    vtkNew<vtkIntArray> groups;
-    groups->SetName("group");
+    const vtkSmartPointer<vtkDataArray> groups = whole_numbers("group", xml);
     const auto add = [&](const auto& cell, int type, int group) {
         std::array<vtkIdType, 8> ids{};
         std::copy(cell.begin(), cell.end(), ids.begin());
         grid->InsertNextCell(type, static_cast<vtkIdType>(cell.size()), ids.data());
-        groups->InsertNextValue(group);
+        groups->InsertNextTuple1(group);
     };
     for (std::size_t i = 0; i < data.mesh.hexes.size(); ++i) {
         add(data.mesh.hexes[i], VTK_HEXAHEDRON, group_of(data.hex_groups, i));
@@ -55,7 +65,7 @@ vtkSmartPointer<vtkUnstructuredGrid> make_grid(const HexMeshData& data, const st
         add(data.quads[i], VTK_QUAD, group_of(data.quad_groups, i));
     }
     grid->GetCellData()->AddArray(groups);
-    add_group_names(*grid->GetFieldData(), names);
+    add_group_names(*grid->GetFieldData(), names, xml);
     return grid;
 }
 
@@ -116,7 +126,7 @@ void read_group_names(vtkUnstructuredGrid& grid, HexMeshData& data) {
 }  // namespace
 
 void write_vtk(CheckedOutput& out, const HexMeshData& data, const std::vector<MeshGroup>& groups, bool xml) {
-    const vtkSmartPointer<vtkUnstructuredGrid> grid = make_grid(data, groups);
+    const vtkSmartPointer<vtkUnstructuredGrid> grid = make_grid(data, groups, xml);
     write_grid(out, *grid, xml, "hexahedral mesh by pavior");
 }
 
