@@ -20,7 +20,7 @@ using namespace pavior::test;
 
 namespace {
 
-std::string fault(const std::string& name) { return std::string(PAVIOR_TEST_DATA) + "/faults/" + name; }
+std::string fault(const std::string& name) { return std::string(PAVIOR_TEST_DATA).append("/faults/").append(name); }
 
 std::vector<std::string> solids(const GmshBrep& b) {
     std::vector<std::string> result;

@@ -13,7 +13,7 @@ using detail::StepSolid;
 namespace {
 
 std::string fault(const std::string& name) {
-    std::ifstream file(std::string(PAVIOR_TEST_DATA) + "/faults/" + name, std::ios::binary);
+    std::ifstream file(std::string(PAVIOR_TEST_DATA).append("/faults/").append(name), std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 

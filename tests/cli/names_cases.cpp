@@ -19,7 +19,7 @@ using namespace pavior::test;
 
 namespace {
 
-std::string fault(const std::string& name) { return std::string(PAVIOR_TEST_DATA) + "/faults/" + name; }
+std::string fault(const std::string& name) { return std::string(PAVIOR_TEST_DATA).append("/faults/").append(name); }
 
 using Names = std::vector<std::string>;
 
