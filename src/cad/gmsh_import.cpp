@@ -260,14 +260,20 @@ std::array<double, 6> bounding_box(int dim, int tag) {
     return box;
 }
 
-/// The centre of one triangle-like piece of the face: a point inside it by trial on a grid.
+/// A point inside the face by trial on grids, away from its boundary if there is such a one: points of boundaries lie on
+/// other faces, too.
 bool point_inside(const GmshModel& model, int tag, Vec3& point) {
     const auto [low, high] = model.face_bounds(tag);
-    for (int grid = 2; grid <= 64; grid *= 2) {
-        for (int i = 1; i < grid; ++i) {
-            for (int j = 1; j < grid; ++j) {
-                const Vec2 at = low + (high - low).cwiseProduct(Vec2(i, j) / grid);
-                if (model.inside_face(tag, at)) {
+    const Vec2 size = high - low;
+    const auto inside = [&](const Vec2& at, const Vec2& step) { return model.inside_face(tag, at + step); };
+    for (const double margin : {0.2, 0.0}) {
+        for (int grid = 2; grid <= 64; grid *= 2) {
+            const Vec2 u(margin * size[0] / grid, 0);
+            const Vec2 v(0, margin * size[1] / grid);
+            for (int i = 0; i < grid * grid; ++i) {
+                // Not in the middle of anything: corners are where other solids end.
+                const Vec2 at = low + size.cwiseProduct(Vec2(i / grid + 0.46, i % grid + 0.57) / grid);
+                if (inside(at, {0, 0}) && inside(at, u) && inside(at, -u) && inside(at, v) && inside(at, -v)) {
                     std::array<Vec3, 1> x;
                     model.face_points(tag, std::array{at}, x);
                     point = x[0];

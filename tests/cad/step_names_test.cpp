@@ -117,8 +117,17 @@ TEST_CASE("solids and faces have their own names where the product has none") {
         CHECK(solids(b) == Names{"Geh\xC3\xA4use \xC3\x98", "bolt-1"});
         CHECK(places_of(b, "\xE5\x85\xA5\xE5\x8F\xA3") == std::multiset<std::string>{"x=0"});
         CHECK(places_of(b, "wall").size() == 2);
-        CHECK(places_of(b, "1inlet").size() == 1);
+        CHECK(places_of(b, "1inlet").size() == (imprint ? 2 : 1));
     }
+}
+
+TEST_CASE("pieces of a face keep its name, and other faces do not get it") {
+    const GmshBrep b = GmshBrep::load(fault("names_utf8.step"));
+    CHECK(places_of(b, "1inlet") == std::multiset<std::string>{"z=1", "z=1"});  // half of it under the other solid
+    CHECK(places_of(b, "in let") == std::multiset<std::string>{"x=2"});
+    CHECK(places_of(b, "in-let") == std::multiset<std::string>{"y=0"});
+    CHECK(places_of(b, "wall") == std::multiset<std::string>{"y=2", "z=0"});
+    CHECK(places_of(b, "").size() == 6);
 }
 
 TEST_CASE("names of faces go to the faces that the file means") {
