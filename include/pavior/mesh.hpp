@@ -10,6 +10,7 @@
 #include <pavior/mesh/grouped_mesh.hpp>    // hexahedra with groups of solids and faces
 #include <pavior/mesh/mesh_access.hpp>     // the one adaptation point for foreign meshes
 #include <pavior/mesh/mesh_check.hpp>      // is this a mesh, and how good is it?
+#include <pavior/mesh/outward_quads.hpp>   // quads on hexahedra, turned outward
 #include <pavior/mesh/quality.hpp>         // statistics and histograms of the quality of cells
 #include <pavior/mesh/span_mesh.hpp>       // plain arrays as meshes
 #include <pavior/mesh/tagged_mesh.hpp>     // surfaces and tetrahedra with tags

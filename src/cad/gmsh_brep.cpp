@@ -31,13 +31,14 @@ struct GmshBrep::Data {
         return *found;
     }
 
-    void read(const std::function<void()>& populate, const CadOptions& options) {
+    void read(const std::function<void()>& populate, const CadOptions& options, const std::filesystem::path& file) {
         const detail::GmshModel::Current current(model);
         populate();
         gmsh::vectorpair solids;
         gmsh::model::getEntities(solids, 3);
-        const detail::EntityNames names =
-            options.imprint && solids.size() > 1 ? detail::imprint_solids(model, populate) : detail::read_names();
+        const detail::EntityNames names = options.imprint && solids.size() > 1
+                                              ? detail::imprint_solids(model, populate, file)
+                                              : detail::read_names(file);
         topology = detail::read_topology(model);
         for (detail::FaceData& f : topology.faces) {
             const auto name = names.find({2, f.tag});
@@ -63,12 +64,12 @@ GmshBrep GmshBrep::load(const std::filesystem::path& file, const CadOptions& opt
     detail::check_cad_file(file);
     const auto populate = [&] { detail::import_file(file); };
     if (options.trial_seconds > 0) {
-        const auto trial = [&] { std::make_unique<Data>()->read(populate, options); };
+        const auto trial = [&] { std::make_unique<Data>()->read(populate, options, file); };
         detail::try_reading(file, trial, options.trial_seconds, options.stop);
     }
     const detail::Hush hush;
     auto data = std::make_unique<Data>();
-    detail::with_gmsh([&] { data->read(populate, options); },
+    detail::with_gmsh([&] { data->read(populate, options, file); },
                       [&](const std::string& message) { throw FileError(file.string(), message); });
     return GmshBrep(std::move(data));
 }
@@ -80,7 +81,7 @@ GmshBrep GmshBrep::build(const std::function<void()>& make_shapes, const CadOpti
         make_shapes();
         gmsh::model::occ::synchronize();
     };
-    detail::with_gmsh([&] { data->read(populate, options); },
+    detail::with_gmsh([&] { data->read(populate, options, {}); },
                       [](const std::string& message) { throw Error(ErrorCode::cad_failure, message); });
     if (data->topology.solids.empty()) {
         throw Error(ErrorCode::cad_failure, "no solid was built");

@@ -2,12 +2,14 @@
 
 #include "../common/child_process.hpp"
 #include "../common/file_extension.hpp"
+#include "step_names.hpp"
 
 #include <pavior/core/stop.hpp>
 
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -159,13 +161,34 @@ EntityNames read_names() {
     return names;
 }
 
+EntityNames read_names(const std::filesystem::path& file) {
+    EntityNames names = read_names();
+    if (cad_format(file) == "step") {
+        std::ifstream stream(file, std::ios::binary);
+        name_step_entities({std::istreambuf_iterator<char>(stream), {}}, names);
+    }
+    return names;
+}
+
 namespace {
 
-/// The named face of the original model that contains the point, or 0.
-int original_face(const GmshModel& original, const EntityNames& names, const Vec3& point, double tolerance) {
+bool inside_box(const std::array<double, 6>& box, const Vec3& point, double tolerance) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double x = point[static_cast<Eigen::Index>(k)];
+        if (x < box[k] - tolerance || x > box[k + 3] + tolerance) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The named face of the original model that contains the point, or 0. \p boxes are those of its faces.
+int original_face(const GmshModel& original, const EntityNames& names,
+                  const std::map<int, std::array<double, 6>>& boxes, const Vec3& point, double tolerance) {
     for (const auto& [entity, name] : names) {
         Vec2 uv;
-        if (entity.first != 2 || !original.project_on_face(entity.second, point, uv)) {
+        if (entity.first != 2 || !inside_box(boxes.at(entity.second), point, tolerance) ||
+            !original.project_on_face(entity.second, point, uv)) {
             continue;
         }
         std::array<Vec3, 1> there;
@@ -177,14 +200,26 @@ int original_face(const GmshModel& original, const EntityNames& names, const Vec
     return 0;
 }
 
-/// The centre of one triangle-like piece of the face: a point inside it by trial on a grid.
+std::array<double, 6> bounding_box(int dim, int tag) {
+    std::array<double, 6> box{};
+    gmsh::model::getBoundingBox(dim, tag, box[0], box[1], box[2], box[3], box[4], box[5]);
+    return box;
+}
+
+/// A point inside the face by trial on grids, away from its boundary if there is such a one: points of boundaries lie on
+/// other faces, too.
 bool point_inside(const GmshModel& model, int tag, Vec3& point) {
     const auto [low, high] = model.face_bounds(tag);
-    for (int grid = 2; grid <= 64; grid *= 2) {
-        for (int i = 1; i < grid; ++i) {
-            for (int j = 1; j < grid; ++j) {
-                const Vec2 at = low + (high - low).cwiseProduct(Vec2(i, j) / grid);
-                if (model.inside_face(tag, at)) {
+    const Vec2 size = high - low;
+    const auto inside = [&](const Vec2& at, const Vec2& step) { return model.inside_face(tag, at + step); };
+    for (const double margin : {0.2, 0.0}) {
+        for (int grid = 2; grid <= 64; grid *= 2) {
+            const Vec2 u(margin * size[0] / grid, 0);
+            const Vec2 v(0, margin * size[1] / grid);
+            for (int i = 0; i < grid * grid; ++i) {
+                // Not in the middle of anything: corners are where other solids end.
+                const Vec2 at = low + size.cwiseProduct(Vec2(i / grid + 0.46, i % grid + 0.57) / grid);
+                if (inside(at, {0, 0}) && inside(at, u) && inside(at, -u) && inside(at, v) && inside(at, -v)) {
                     std::array<Vec3, 1> x;
                     model.face_points(tag, std::array{at}, x);
                     point = x[0];
@@ -198,9 +233,10 @@ bool point_inside(const GmshModel& model, int tag, Vec3& point) {
 
 }  // namespace
 
-EntityNames imprint_solids(const GmshModel& model, const std::function<void()>& populate) {
+EntityNames imprint_solids(const GmshModel& model, const std::function<void()>& populate,
+                           const std::filesystem::path& file) {
     const GmshModel::Current current(model);
-    const EntityNames before = read_names();
+    const EntityNames before = read_names(file);
     const gmsh::vectorpair solids = entities(3);
     gmsh::vectorpair pieces;
     std::vector<gmsh::vectorpair> map;
@@ -217,17 +253,20 @@ EntityNames imprint_solids(const GmshModel& model, const std::function<void()>& 
     }
     if (std::any_of(before.begin(), before.end(), [](const auto& entry) { return entry.first.first == 2; })) {
         const GmshModel original;
+        std::map<int, std::array<double, 6>> boxes;
         {
             const GmshModel::Current there(original);
             populate();
+            for (const auto& [dim, tag] : entities(2)) {
+                boxes.emplace(tag, bounding_box(dim, tag));
+            }
         }
-        std::array<double, 6> box{};
-        gmsh::model::getBoundingBox(-1, -1, box[0], box[1], box[2], box[3], box[4], box[5]);
+        const std::array<double, 6> box = bounding_box(-1, -1);
         const double diagonal = Vec3(box[3] - box[0], box[4] - box[1], box[5] - box[2]).norm();
         for (const auto& face : entities(2)) {
             Vec3 point;
             if (point_inside(model, face.second, point)) {
-                if (const int tag = original_face(original, before, point, 1e-6 * diagonal); tag != 0) {
+                if (const int tag = original_face(original, before, boxes, point, 1e-6 * diagonal); tag != 0) {
                     after[face] = before.at({2, tag});
                 }
             }

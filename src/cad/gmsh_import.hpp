@@ -30,10 +30,14 @@ void try_reading(const std::filesystem::path& file, const std::function<void()>&
                  const std::stop_token& stop);
 
 /// Intersects the solids of \p model. \p populate fills another model in the same way, for the names of the faces.
-/// Returns the names after the operation.
-EntityNames imprint_solids(const GmshModel& model, const std::function<void()>& populate);
+/// \p file is where they come from, if they do. Returns the names after the operation.
+EntityNames imprint_solids(const GmshModel& model, const std::function<void()>& populate,
+                           const std::filesystem::path& file);
 
 /// The names of the current model.
 EntityNames read_names();
+
+/// The same with those that the STEP file \p file says and Gmsh does not; \p file may be any or none.
+EntityNames read_names(const std::filesystem::path& file);
 
 }  // namespace pavior::detail

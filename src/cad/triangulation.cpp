@@ -300,11 +300,16 @@ CadTriangulation read_and_mesh(const std::filesystem::path& file, const Triangul
             const detail::GmshModel::Current current(model);
             const auto populate = [&] { detail::import_file(file); };
             populate();
-            if (entities(3).size() > 1) {
-                static_cast<void>(detail::imprint_solids(model, populate));
-            }
+            const detail::EntityNames names =
+                entities(3).size() > 1 ? detail::imprint_solids(model, populate, file) : detail::read_names(file);
             mesh_model(options);
-            return Collector().run();
+            CadTriangulation result = Collector().run();
+            for (const auto& [entity, name] : names) {
+                if (entity.first == 2) {
+                    result.surface.face_names[entity.second] = name;
+                }
+            }
+            return result;
         },
         [&](const std::string& message) { throw Error(ErrorCode::cad_failure, file.string() + ": " + message); });
 }

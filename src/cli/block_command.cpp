@@ -156,11 +156,12 @@ ExitCode finish(const BlockCommand& command, const BlockReference& input, const 
     const std::vector<std::string> warnings = warnings_of(command, solid);
     const bool written = check.valid() || command.keep_invalid;
     if (written) {
-        files.write(command.output, [&](const std::string& temporary) { write_mesh(temporary, data); });
+        files.write(command.output,
+                    [&](const std::string& temporary) { write_mesh(temporary, data, {command.format}); });
     }
     json["output"] = written ? Json(command.output) : Json();
     json["seconds"] = seconds;
-    json["mesh"] = detail::to_json(data, check);
+    json["mesh"] = detail::to_json(data, check, written_format(command.output, command.format, written));
     json["warnings"] = warnings;
     json["exit_code"] = static_cast<int>(check.valid() ? exit_valid : exit_invalid);
     files.write_report(command.report, json);
@@ -191,9 +192,7 @@ ExitCode finish(const BlockCommand& command, const BlockReference& input, const 
 }  // namespace
 
 ExitCode run_block(const BlockCommand& given, Guard& guard) {
-    if (!can_write_mesh(given.output)) {
-        throw FileError(given.output, "unknown mesh format; known are .vtu .vtk .msh .inp");
-    }
+    static_cast<void>(mesh_format(given.output, given.format));  // refuses what cannot be written
     if (!(given.mu > 0.0 && given.mu < 0.25)) {
         throw InputError(ErrorCode::bad_option, "--mu must lie between 0 and 1/4");
     }

@@ -29,6 +29,10 @@ void print_histogram(std::ostream& out, const detail::NamedMetric& metric) {
 
 }  // namespace
 
+std::optional<MeshFormat> written_format(const std::string& output, MeshFormat wish, bool written) {
+    return written ? std::optional(mesh_format(output, wish)) : std::nullopt;
+}
+
 void print_check(std::ostream& out, const HexMeshData& data, const MeshCheck& check) {
     std::ostringstream text;
     text << "nodes        " << check.nodes << "\nhexahedra    " << check.hexahedra << "\nquads        "

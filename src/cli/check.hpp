@@ -10,6 +10,9 @@
 
 namespace pavior::cli {
 
+/// The format of the mesh that was written to \p output, if one was.
+[[nodiscard]] std::optional<MeshFormat> written_format(const std::string& output, MeshFormat wish, bool written);
+
 /// Table of counts, conformity and groups, and a histogram a metric.
 void print_check(std::ostream& out, const HexMeshData& data, const MeshCheck& check);
 

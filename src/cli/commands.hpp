@@ -5,6 +5,7 @@
 
 #include <pavior/affine/method.hpp>
 #include <pavior/block/block_mesh.hpp>
+#include <pavior/io/mesh_file.hpp>
 #include <pavior/marking/marking.hpp>
 #include <pavior/part/part_options.hpp>
 #include <pavior/sweep/boundary_error.hpp>
@@ -19,6 +20,7 @@ namespace pavior::cli {
 /// What every command that makes a mesh takes.
 struct MakeCommand {
     std::string input, output;
+    MeshFormat format = MeshFormat::by_extension;
     double size = 0;  ///< 0: the command's default
     LocalLengths local;
     std::optional<double> timeout;  ///< seconds for the whole program; 0: no limit; unset: the command's default

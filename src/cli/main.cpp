@@ -98,6 +98,12 @@ void add_make(CLI::App& app, MakeCommand& command, const std::string& input, con
               const std::string& default_time) {
     app.add_option("input", command.input, input)->required();
     app.add_option("-o,--output", command.output, "mesh to write (.vtu .vtk .msh .inp)")->required();
+    add_choice(app, "--format", command.format,
+               {{"msh4", MeshFormat::msh41},
+                {"msh4-ascii", MeshFormat::msh41_ascii},
+                {"msh2", MeshFormat::msh22},
+                {"msh2-ascii", MeshFormat::msh22_ascii}},
+               "kind of a .msh file: Gmsh 4.1 (msh4, default) or 2.2, binary or text");
     app.add_option("--size", command.size, "length of mesh edges; default: " + default_size)
         ->check(number_from(0, true, "positive number"));
     app.add_option_function<std::vector<std::string>>(

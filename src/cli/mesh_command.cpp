@@ -176,11 +176,12 @@ ExitCode finish(const MeshCommand& command, const GmshBrep& model, const PartMes
                 const Stopwatch& watch, OutputFiles& files) {
     const bool written = part.valid() || command.keep_invalid;
     if (written) {
-        files.write(command.output, [&](const std::string& temporary) { write_mesh(temporary, part.data); });
+        files.write(command.output,
+                    [&](const std::string& temporary) { write_mesh(temporary, part.data, {command.format}); });
     }
     json["output"] = written ? Json(command.output) : Json();
     json["seconds"] = watch.total();
-    json["mesh"] = detail::to_json(part.data, part.check);
+    json["mesh"] = detail::to_json(part.data, part.check, written_format(command.output, command.format, written));
     json["exit_code"] = static_cast<int>(part.valid() ? exit_valid : exit_invalid);
     files.write_report(command.report, json);
     files.commit();
@@ -208,9 +209,7 @@ ExitCode run_mesh(const MeshCommand& command, Guard& guard) {
     if (!can_read_cad(command.input)) {
         throw FileError(command.input, "unknown input format; known are .step .stp .iges .igs .brep");
     }
-    if (!can_write_mesh(command.output)) {
-        throw FileError(command.output, "unknown mesh format; known are .vtu .vtk .msh .inp");
-    }
+    static_cast<void>(mesh_format(command.output, command.format));  // refuses what cannot be written
     OutputFiles files(command.input, {command.output, command.report});
     const Stopwatch watch;
     ProgressBar bar(command.quiet);

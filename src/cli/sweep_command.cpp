@@ -138,14 +138,15 @@ ExitCode finish(const SweepCommand& command, Swept& swept, Guard& guard, double 
     guard.lift_limit();
     const bool written = check.valid() || command.keep_invalid;
     if (written) {
-        files.write(command.output, [&](const std::string& temporary) { write_mesh(temporary, swept.data); });
+        files.write(command.output,
+                    [&](const std::string& temporary) { write_mesh(temporary, swept.data, {command.format}); });
     }
     Json& json = swept.report;
     json["input"] = command.input;
     json["output"] = written ? Json(command.output) : Json();
     json["options"] = options_json(command, swept.size);
     json["seconds"] = seconds;
-    json["mesh"] = detail::to_json(swept.data, check);
+    json["mesh"] = detail::to_json(swept.data, check, written_format(command.output, command.format, written));
     json["warnings"] = swept.warnings;
     json["exit_code"] = static_cast<int>(check.valid() ? exit_valid : exit_invalid);
     files.write_report(command.report, json);
@@ -168,9 +169,7 @@ ExitCode run_sweep(const SweepCommand& command, Guard& guard) {
     if (!problem && !can_read_cad(command.input)) {
         throw FileError(command.input, "unknown input format; known are .step .stp .iges .igs .brep .json");
     }
-    if (!can_write_mesh(command.output)) {
-        throw FileError(command.output, "unknown mesh format; known are .vtu .vtk .msh .inp");
-    }
+    static_cast<void>(mesh_format(command.output, command.format));  // refuses what cannot be written
     check_options(command, problem);
     OutputFiles files(command.input, {command.output, command.report});
     guard.set_limit(command.timeout.value_or(0), late_report(command));

@@ -2,50 +2,121 @@
 #include "formats.hpp"
 
 #include <pavior/core/error.hpp>
+#include <pavior/mesh/face_table.hpp>
+#include <pavior/mesh/outward_quads.hpp>
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <memory>
 #include <sstream>
 
 namespace pavior::io {
 
 namespace {
 
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+/// Writes the sections; element k has tag k + 1, hexahedra of the lowest group first, then quads.
+class Writer {
+public:
+    Writer(CheckedOutput& out, const HexMeshData& data, const std::vector<MeshGroup>& names)
+        : out_(out), data_(data), names_(names), hex_tags_(data.mesh.hexes.size()) {}
 
-/// Names in Abaqus hold letters, digits and underscores.
-std::string set_name(const HexMeshData& data, int dimension, int number) {
-    std::string name = group_name(data, dimension, number);
-    if (name.empty()) {
-        return (dimension == 3 ? "VOLUME_" : "SURFACE_") + std::to_string(number);
-    }
-    for (char& c : name) {
-        if (std::isalnum(static_cast<unsigned char>(c)) == 0) {
-            c = '_';
-        }
-    }
-    return name;
-}
-
-template <class Cells>
-void write_cells(std::FILE* out, const HexMeshData& data, const Cells& cells, const std::vector<std::int32_t>& groups,
-                 int dimension, std::size_t& next) {
-    for (const auto& [number, members] : cells_by_group(cells.size(), groups)) {
-        std::fprintf(out, "*ELEMENT, TYPE=%s, ELSET=%s\n", dimension == 3 ? "C3D8" : "S4",
-                     set_name(data, dimension, number).c_str());
-        for (const std::size_t i : members) {
-            std::fprintf(out, "%zu", next++);
-            for (const Index node : cells[i]) {
-                std::fprintf(out, ", %zu", std::size_t{node} + 1);
+    void write() {
+        out_.text("*HEADING\nhexahedral mesh by pavior\n*NODE\n");
+        for (std::size_t i = 0; i < data_.mesh.nodes.size(); ++i) {
+            out_.number(i + 1);
+            for (const double coordinate : {data_.mesh.nodes[i][0], data_.mesh.nodes[i][1], data_.mesh.nodes[i][2]}) {
+                out_.text(", ");
+                out_.number(coordinate, 17);
             }
-            std::fputc('\n', out);
+            out_.text("\n");
+        }
+        const auto solids = cells_by_group(data_.mesh.hexes.size(), data_.hex_groups);
+        const auto faces = cells_by_group(data_.quads.size(), data_.quad_groups);
+        write_cells(data_.mesh.hexes, solids, 3);
+        write_cells(data_.quads, faces, 2);
+        write_nodes(data_.mesh.hexes, solids, 3);
+        write_nodes(data_.quads, faces, 2);
+        write_surfaces(faces);
+    }
+
+private:
+    using Members = std::map<int, std::vector<std::size_t>>;
+
+    void keyword(const char* text, int dimension, int number) {
+        out_.text(text);
+        out_.text(name_of(names_, dimension, number));
+        out_.text("\n");
+    }
+
+    template <class Cells>
+    void write_cells(const Cells& cells, const Members& groups, int dimension) {
+        for (const auto& [number, members] : groups) {
+            keyword(dimension == 3 ? "*ELEMENT, TYPE=C3D8, ELSET=" : "*ELEMENT, TYPE=S4, ELSET=", dimension, number);
+            for (const std::size_t i : members) {
+                if (dimension == 3) {
+                    hex_tags_[i] = next_;
+                }
+                out_.number(next_++);
+                for (const Index node : cells[i]) {
+                    out_.text(", ");
+                    out_.number(std::size_t{node} + 1);
+                }
+                out_.text("\n");
+            }
         }
     }
-}
+
+    /// The nodes of each group, ascending, sixteen a line: no more may stand in one.
+    template <class Cells>
+    void write_nodes(const Cells& cells, const Members& groups, int dimension) {
+        for (const auto& [number, members] : groups) {
+            keyword("*NSET, NSET=", dimension, number);
+            std::vector<Index> nodes;
+            for (const std::size_t i : members) {
+                nodes.insert(nodes.end(), cells[i].begin(), cells[i].end());
+            }
+            std::sort(nodes.begin(), nodes.end());
+            nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+            for (std::size_t k = 0; k < nodes.size(); ++k) {
+                out_.number(std::size_t{nodes[k]} + 1);
+                out_.text(k + 1 == nodes.size() || k % 16 == 15 ? "\n" : ", ");
+            }
+        }
+    }
+
+    /// The face of the hexahedron under each quad, of the one that it looks out of. Abaqus counts as hex_faces does,
+    /// from 1.
+    void write_surfaces(const Members& groups) {
+        const auto under = faces_under_quads(data_.mesh, data_.quads);
+        for (const auto& [number, members] : groups) {
+            if (std::all_of(members.begin(), members.end(), [&](auto q) { return under[q][0].hex == no_index; })) {
+                continue;
+            }
+            keyword("*SURFACE, TYPE=ELEMENT, NAME=", 2, number);
+            for (const std::size_t q : members) {
+                const HexFace& face = looks_out_of(data_.quads[q], under[q][1]) ? under[q][1] : under[q][0];
+                if (face.hex != no_index) {
+                    out_.number(hex_tags_[face.hex]);
+                    out_.text(", S");
+                    out_.number(face.face + 1);
+                    out_.text("\n");
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] bool looks_out_of(const QuadCorners& quad, const HexFace& face) const {
+        return face.hex != no_index &&
+               from_smallest(quad) == from_smallest(hex_face(data_.mesh.hexes[face.hex], face.face));
+    }
+
+    CheckedOutput& out_;
+    const HexMeshData& data_;
+    const std::vector<MeshGroup>& names_;
+    std::vector<std::size_t> hex_tags_;
+    std::size_t next_ = 1;
+};
 
 std::string upper(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(),
@@ -196,22 +267,8 @@ private:
 
 }  // namespace
 
-void write_abaqus(const std::string& file, const HexMeshData& data) {
-    const File out(std::fopen(file.c_str(), "w"), &std::fclose);
-    if (!out) {
-        throw FileError(file, "cannot be opened for writing");
-    }
-    std::fputs("*HEADING\nhexahedral mesh by pavior\n*NODE\n", out.get());
-    for (std::size_t i = 0; i < data.mesh.nodes.size(); ++i) {
-        const Vec3& x = data.mesh.nodes[i];
-        std::fprintf(out.get(), "%zu, %.17g, %.17g, %.17g\n", i + 1, x[0], x[1], x[2]);
-    }
-    std::size_t next = 1;
-    write_cells(out.get(), data, data.mesh.hexes, data.hex_groups, 3, next);
-    write_cells(out.get(), data, data.quads, data.quad_groups, 2, next);
-    if (std::fflush(out.get()) != 0 || std::ferror(out.get()) != 0) {
-        throw FileError(file, "could not be written completely");
-    }
+void write_abaqus(CheckedOutput& out, const HexMeshData& data, const std::vector<MeshGroup>& groups) {
+    Writer(out, data, groups).write();
 }
 
 HexMeshData read_abaqus(const std::string& file) { return Reader(file).read(); }

@@ -86,7 +86,8 @@ void write_dual(const std::string& file, const DualSurfaces& surfaces, const Reg
     }
     dual.finish();
     write_atomically(file, [&](const std::string& temporary) {
-        io::write_grid(temporary, *dual.grid, extension == ".vtu", "local dual contributions by pavior");
+        io::CheckedOutput out(temporary, file);
+        io::write_grid(out, *dual.grid, extension == ".vtu", "local dual contributions by pavior");
     });
 }
 

@@ -27,42 +27,6 @@ auto in_scratch_model(const std::string& file, Body&& body) {
         [&](const std::string& message) { throw FileError(file, "Gmsh refuses it: " + message); });
 }
 
-void add_nodes(const std::vector<Vec3>& nodes, int dimension, int entity) {
-    std::vector<std::size_t> tags(nodes.size());
-    std::vector<double> coordinates(3 * nodes.size());
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        tags[i] = i + 1;
-        std::copy(nodes[i].data(), nodes[i].data() + 3, coordinates.begin() + static_cast<std::ptrdiff_t>(3 * i));
-    }
-    gmsh::model::mesh::addNodes(dimension, entity, tags, coordinates);
-}
-
-/// One discrete entity and one physical group a cell group; element tags run on from \p next.
-template <class Cells>
-void add_cells(const HexMeshData& data, const Cells& cells, const std::vector<std::int32_t>& groups, int dimension,
-               std::size_t& next, bool with_nodes) {
-    int entity = 0;
-    for (const auto& [number, members] : cells_by_group(cells.size(), groups)) {
-        gmsh::model::addDiscreteEntity(dimension, ++entity);
-        if (with_nodes && entity == 1) {
-            add_nodes(data.mesh.nodes, dimension, entity);
-        }
-        std::vector<std::size_t> tags;
-        std::vector<std::size_t> nodes;
-        for (const std::size_t i : members) {
-            tags.push_back(next++);
-            for (const Index node : cells[i]) {
-                nodes.push_back(std::size_t{node} + 1);
-            }
-        }
-        gmsh::model::mesh::addElementsByType(entity, dimension == 3 ? gmsh_hex : gmsh_quad, tags, nodes);
-        const int physical = gmsh::model::addPhysicalGroup(dimension, {entity}, number > 0 ? number : -1);
-        if (const std::string name = group_name(data, dimension, number); !name.empty()) {
-            gmsh::model::setPhysicalName(dimension, physical, name);
-        }
-    }
-}
-
 /// Position of each node tag: tags may be sparse.
 std::vector<std::int64_t> position_of_tag(const std::vector<std::size_t>& tags) {
     std::vector<std::int64_t> position(tags.empty() ? 0 : *std::max_element(tags.begin(), tags.end()) + 1, -1);
@@ -126,18 +90,6 @@ void refuse_other_volumes(const std::string& file) {
 }
 
 }  // namespace
-
-void write_gmsh(const std::string& file, const HexMeshData& data) {
-    in_scratch_model(file, [&] {
-        std::size_t next = 1;
-        add_cells(data, data.mesh.hexes, data.hex_groups, 3, next, true);
-        add_cells(data, data.quads, data.quad_groups, 2, next, data.mesh.hexes.empty());
-        gmsh::option::setNumber("Mesh.Binary", 1);
-        gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
-        gmsh::option::setNumber("Mesh.SaveAll", 1);
-        gmsh::write(file);
-    });
-}
 
 HexMeshData read_gmsh(const std::string& file) {
     return in_scratch_model(file, [&] {

@@ -2,11 +2,14 @@
 
 #include <pavior/core/error.hpp>
 #include <pavior/io/atomic_file.hpp>
+#include <pavior/io/group_names.hpp>
 
 #include "../common/file_extension.hpp"
 #include "formats.hpp"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace pavior {
 
@@ -41,6 +44,20 @@ void check_ids(const std::string& file, const HexMeshData& data) {
     throw FileError(file, "unknown mesh format; known are .vtu .vtk .msh .inp");
 }
 
+io::GmshVersion gmsh_version(MeshFormat format) {
+    return {format == MeshFormat::msh41 || format == MeshFormat::msh41_ascii,
+            format == MeshFormat::msh41 || format == MeshFormat::msh22};
+}
+
+std::string ending(MeshFormat format) {
+    switch (format) {
+        case MeshFormat::vtu: return ".vtu";
+        case MeshFormat::vtk: return ".vtk";
+        case MeshFormat::inp: return ".inp";
+        default: return ".msh";
+    }
+}
+
 }  // namespace
 
 bool can_write_mesh(std::string_view file) {
@@ -48,20 +65,38 @@ bool can_write_mesh(std::string_view file) {
     return ext == ".vtu" || ext == ".vtk" || ext == ".msh" || ext == ".inp";
 }
 
-void write_mesh(const std::string& file, const HexMeshData& data) {
+MeshFormat mesh_format(const std::string& file, MeshFormat wish) {
     if (!can_write_mesh(file)) {
         unknown_extension(file);
     }
-    check_groups(data);
     const std::string ext = detail::file_extension(file);
+    const MeshFormat own = ext == ".vtu"   ? MeshFormat::vtu
+                           : ext == ".vtk" ? MeshFormat::vtk
+                           : ext == ".msh" ? MeshFormat::msh41
+                                           : MeshFormat::inp;
+    if (wish == MeshFormat::by_extension || wish == own) {
+        return own;
+    }
+    if (ending(wish) != ext) {
+        throw FileError(file, "the format asked for goes with files that end in " + ending(wish) + ", not in " + ext);
+    }
+    return wish;
+}
+
+void write_mesh(const std::string& file, const HexMeshData& data, const MeshWriteOptions& options) {
+    const MeshFormat format = mesh_format(file, options.format);
+    check_groups(data);
+    check_ids(file, data);
+    const std::vector<MeshGroup> groups = names_in_file(data, format);
     write_atomically(file, [&](const std::string& temporary) {
-        if (ext == ".msh") {
-            io::write_gmsh(temporary, data);
-        } else if (ext == ".inp") {
-            io::write_abaqus(temporary, data);
-        } else {
-            io::write_vtk(temporary, data, ext == ".vtu");
+        io::CheckedOutput out(temporary, file);
+        switch (format) {
+            case MeshFormat::vtu:
+            case MeshFormat::vtk: io::write_vtk(out, data, groups, format == MeshFormat::vtu); break;
+            case MeshFormat::inp: io::write_abaqus(out, data, groups); break;
+            default: io::write_gmsh(out, data, groups, gmsh_version(format)); break;
         }
+        out.finish();
     });
 }
 

@@ -106,6 +106,11 @@ TaggedSurface finish(const std::string& file, const io::PolygonSoup& soup, doubl
     if (std::all_of(tags.begin(), tags.end(), [](std::int32_t tag) { return tag == 0; })) {
         surface.face_tags.clear();
     }
+    for (std::size_t k = 0; k < soup.names.size() && !surface.face_tags.empty(); ++k) {
+        if (!soup.names[k].empty()) {
+            surface.face_names[static_cast<std::int32_t>(k) + 1] = soup.names[k];
+        }
+    }
     std::vector<char> used(soup.nodes.size(), 0);
     for (const TriCorners& c : surface.mesh.triangles) {
         for (const Index node : c) {

@@ -20,6 +20,7 @@ struct PolygonSoup {
     std::vector<Index> corners;
     std::vector<std::size_t> offsets{0};
     std::vector<std::int32_t> tags;  ///< a tag a face
+    std::vector<std::string> names;  ///< name of tag k + 1, may be empty; there may be fewer than tags
 
     void end_face(std::int32_t tag) {
         offsets.push_back(corners.size());
@@ -44,6 +45,8 @@ public:
     bool next_line();
     /// The next word of this line, empty at its end.
     std::string_view word();
+    /// What is left of this line, without blanks at its ends.
+    std::string_view rest();
     /// The next word as a finite number; fails if it is none. \p what names it.
     double number(const char* what);
     /// The next word as a whole number.

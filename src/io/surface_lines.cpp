@@ -54,6 +54,13 @@ std::string_view LineReader::word() {
     return found;
 }
 
+std::string_view LineReader::rest() {
+    const std::size_t begin = std::min(rest_.find_first_not_of(blanks), rest_.size());
+    const std::string_view found = rest_.substr(begin, rest_.find_last_not_of(blanks) + 1 - begin);
+    rest_ = {};
+    return found;
+}
+
 double LineReader::number(const char* what) {
     const std::string_view found = word();
     const std::optional<double> value = to_number(found);

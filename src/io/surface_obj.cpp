@@ -16,9 +16,15 @@ public:
         named_ = true;
     }
     [[nodiscard]] bool used() const { return named_; }
+    /// In the order of their numbers.
+    [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
     std::int32_t number() {
         if (number_ == 0 && named_) {
-            number_ = numbers_.emplace(name_, static_cast<std::int32_t>(numbers_.size()) + 1).first->second;
+            const auto [at, added] = numbers_.emplace(name_, static_cast<std::int32_t>(numbers_.size()) + 1);
+            number_ = at->second;
+            if (added) {
+                names_.push_back(name_);
+            }
         }
         return number_;
     }
@@ -28,6 +34,7 @@ private:
     std::int32_t number_ = 0;
     bool named_ = false;
     std::map<std::string, std::int32_t> numbers_;
+    std::vector<std::string> names_;
 };
 
 class ObjReader {
@@ -52,6 +59,7 @@ public:
         if (!groups_.used()) {
             soup_.tags = std::move(object_tags);
         }
+        soup_.names = (groups_.used() ? groups_ : objects_).names();
         return std::move(soup_);
     }
 

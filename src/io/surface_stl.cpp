@@ -62,6 +62,7 @@ public:
             if (word == "solid") {
                 ++solid;
                 open = true;
+                soup_.names.emplace_back(lines_.rest());
             } else if (word == "facet") {
                 read_facet(solid);
             } else if (word == "endsolid") {
@@ -75,6 +76,7 @@ public:
         }
         if (solid < 2) {
             soup_.tags.assign(soup_.tags.size(), 0);
+            soup_.names.clear();
         }
         return std::move(soup_);
     }

@@ -5,13 +5,14 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
-#include <vtkUnsignedCharArray.h>
+#include <vtkTypeInt64Array.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <cstdlib>
@@ -21,27 +22,41 @@ namespace pavior::io {
 
 namespace {
 
-/// Name, dimension and number of a group, as one string: "3 1 bolt".
-vtkSmartPointer<vtkStringArray> make_group_names(const HexMeshData& data) {
-    auto names = vtkSmartPointer<vtkStringArray>::New();
-    names->SetName("group_names");
-    for (const MeshGroup& group : data.groups) {
-        names->InsertNextValue(std::to_string(group.dimension) + " " + std::to_string(group.number) + " " + group.name);
+/// An array of whole numbers. In .vtk they have 64 bits: meshio takes those of 32 for 64 in binary files.
+vtkSmartPointer<vtkDataArray> whole_numbers(const char* name, bool xml) {
+    vtkSmartPointer<vtkDataArray> array;
+    if (xml) {
+        array = vtkSmartPointer<vtkIntArray>::New();
+    } else {
+        array = vtkSmartPointer<vtkTypeInt64Array>::New();
     }
-    return names;
+    array->SetName(name);
+    return array;
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> make_grid(const HexMeshData& data) {
+/// One array a group, called as it is: number, dimension. That is how meshio hands on the names of Gmsh's groups; it
+/// cannot read text.
+void add_group_names(vtkFieldData& fields, const std::vector<MeshGroup>& groups, bool xml) {
+    for (const MeshGroup& group : groups) {
+        if (!group.name.empty()) {
+            const vtkSmartPointer<vtkDataArray> array = whole_numbers(group.name.c_str(), xml);
+            array->InsertNextTuple1(group.number);
+            array->InsertNextTuple1(group.dimension);
+            fields.AddArray(array);
+        }
+    }
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> make_grid(const HexMeshData& data, const std::vector<MeshGroup>& names, bool xml) {
     auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
     grid->SetPoints(make_points(data.mesh.nodes));
     grid->Allocate(static_cast<vtkIdType>(data.mesh.hexes.size() + data.quads.size()));
-    vtkNew<vtkIntArray> groups;
-    groups->SetName("group");
+    const vtkSmartPointer<vtkDataArray> groups = whole_numbers("group", xml);
     const auto add = [&](const auto& cell, int type, int group) {
         std::array<vtkIdType, 8> ids{};
         std::copy(cell.begin(), cell.end(), ids.begin());
         grid->InsertNextCell(type, static_cast<vtkIdType>(cell.size()), ids.data());
-        groups->InsertNextValue(group);
+        groups->InsertNextTuple1(group);
     };
     for (std::size_t i = 0; i < data.mesh.hexes.size(); ++i) {
         add(data.mesh.hexes[i], VTK_HEXAHEDRON, group_of(data.hex_groups, i));
@@ -50,9 +65,7 @@ vtkSmartPointer<vtkUnstructuredGrid> make_grid(const HexMeshData& data) {
         add(data.quads[i], VTK_QUAD, group_of(data.quad_groups, i));
     }
     grid->GetCellData()->AddArray(groups);
-    if (!data.groups.empty()) {
-        grid->GetFieldData()->AddArray(make_group_names(data));
-    }
+    add_group_names(*grid->GetFieldData(), names, xml);
     return grid;
 }
 
@@ -81,8 +94,25 @@ void read_cells(const std::string& file, vtkUnstructuredGrid& grid, HexMeshData&
     }
 }
 
+/// The groups of add_group_names(), and of files of versions before: text, "3 1 bolt".
 void read_group_names(vtkUnstructuredGrid& grid, HexMeshData& data) {
-    auto* names = vtkStringArray::SafeDownCast(grid.GetFieldData()->GetAbstractArray("group_names"));
+    vtkFieldData& fields = *grid.GetFieldData();
+    for (int a = 0; a < fields.GetNumberOfArrays(); ++a) {
+        auto* numbers = vtkDataArray::SafeDownCast(fields.GetAbstractArray(a));
+        const char* name = fields.GetArrayName(a);
+        if (name == nullptr || numbers == nullptr || numbers->GetNumberOfValues() != 2 ||
+            numbers->GetDataType() == VTK_FLOAT || numbers->GetDataType() == VTK_DOUBLE) {
+            continue;
+        }
+        const auto value = [&](int i) {
+            const int width = numbers->GetNumberOfComponents();
+            return static_cast<int>(numbers->GetComponent(i / width, i % width));
+        };
+        if (value(1) == 2 || value(1) == 3) {
+            data.groups.push_back({value(1), value(0), name});
+        }
+    }
+    auto* names = vtkStringArray::SafeDownCast(fields.GetAbstractArray("group_names"));
     for (vtkIdType i = 0; names != nullptr && i < names->GetNumberOfValues(); ++i) {
         std::istringstream text(names->GetValue(i));
         MeshGroup group;
@@ -95,9 +125,9 @@ void read_group_names(vtkUnstructuredGrid& grid, HexMeshData& data) {
 
 }  // namespace
 
-void write_vtk(const std::string& file, const HexMeshData& data, bool xml) {
-    const vtkSmartPointer<vtkUnstructuredGrid> grid = make_grid(data);
-    write_grid(file, *grid, xml, "hexahedral mesh by pavior");
+void write_vtk(CheckedOutput& out, const HexMeshData& data, const std::vector<MeshGroup>& groups, bool xml) {
+    const vtkSmartPointer<vtkUnstructuredGrid> grid = make_grid(data, groups, xml);
+    write_grid(out, *grid, xml, "hexahedral mesh by pavior");
 }
 
 HexMeshData read_vtk(const std::string& file, bool xml) {

@@ -1,6 +1,8 @@
 #pragma once
 // What reading and writing VTK's grids have in common.
 
+#include "checked_output.hpp"
+
 #include <pavior/core/error.hpp>
 #include <pavior/math/point.hpp>
 
@@ -16,7 +18,10 @@
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <cstdint>
+#include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pavior::io {
@@ -93,20 +98,75 @@ inline vtkSmartPointer<vtkUnstructuredGrid> read_grid(const std::string& file, b
     return grid;
 }
 
-/// Writes \p grid in place: appended binary XML, or binary legacy.
-inline void write_grid(const std::string& file, vtkUnstructuredGrid& grid, bool xml, const char* title) {
-    if (xml) {
-        vtkNew<vtkXMLUnstructuredGridWriter> writer;
-        writer->SetInputData(&grid);
-        writer->SetDataModeToAppended();
-        writer->EncodeAppendedDataOff();
-        run_vtk(file, *writer, "VTK cannot write: ");
-    } else {
-        vtkNew<vtkUnstructuredGridWriter> writer;
-        writer->SetInputData(&grid);
-        writer->SetFileTypeToBinary();
-        writer->SetHeader(title);
-        run_vtk(file, *writer, "VTK cannot write: ");
+/// VTK's XML writer into a stream of ours: its own one does not say when the last bytes are lost.
+class StreamXmlWriter : public vtkXMLUnstructuredGridWriter {
+public:
+    static StreamXmlWriter* New() { return new StreamXmlWriter; }  // NOLINT(readability-identifier-naming)
+    void set_stream(std::ostream& stream) {
+        ours_ = &stream;
+        WriteToOutputStringOn();  // opens no file
+    }
+
+protected:
+    int StartFile() override {  // NOLINT(readability-identifier-naming)
+        theirs_ = std::exchange(Stream, ours_);
+        return vtkXMLUnstructuredGridWriter::StartFile();
+    }
+    int EndFile() override {  // NOLINT(readability-identifier-naming)
+        const int result = vtkXMLUnstructuredGridWriter::EndFile();
+        Stream = theirs_;
+        return result;
+    }
+
+private:
+    std::ostream* ours_ = nullptr;
+    std::ostream* theirs_ = nullptr;
+};
+
+inline bool write_cell_types(std::ostream& stream, vtkUnstructuredGrid& grid) {
+    stream << "CELL_TYPES " << grid.GetNumberOfCells() << "\n";
+    for (vtkIdType i = 0; i < grid.GetNumberOfCells(); ++i) {
+        const auto type = static_cast<std::uint32_t>(grid.GetCellType(i));
+        for (const unsigned shift : {24U, 16U, 8U, 0U}) {  // big-endian
+            stream.put(static_cast<char>(type >> shift & 0xFFU));
+        }
+    }
+    stream << "\n";
+    return bool(stream);
+}
+
+inline bool write_xml(std::ostream& stream, vtkUnstructuredGrid& grid) {
+    const vtkNew<StreamXmlWriter> writer;
+    writer->SetInputData(&grid);
+    writer->SetDataModeToAppended();
+    writer->EncodeAppendedDataOff();
+    writer->set_stream(stream);
+    return writer->Write() == 1;
+}
+
+/// The sections one by one, as VTK's own Write() does.
+inline bool write_legacy(std::ostream& stream, vtkUnstructuredGrid& grid, const char* title) {
+    const vtkNew<vtkUnstructuredGridWriter> writer;
+    writer->SetInputData(&grid);
+    writer->SetFileTypeToBinary();
+    writer->SetHeader(title);
+    if (writer->WriteHeader(&stream) == 0) {
+        return false;
+    }
+    stream << "DATASET UNSTRUCTURED_GRID\n";
+    return writer->WriteDataSetData(&stream, &grid) != 0 && writer->WritePoints(&stream, grid.GetPoints()) != 0 &&
+           writer->WriteCells(&stream, grid.GetCells(), "CELLS") != 0 && write_cell_types(stream, grid) &&
+           writer->WriteCellData(&stream, &grid) != 0;
+}
+
+/// Writes \p grid: appended binary XML, or binary legacy. \p out is finished.
+inline void write_grid(CheckedOutput& out, vtkUnstructuredGrid& grid, bool xml, const char* title) {
+    const SilentLog silent;
+    std::ostream stream(&out);
+    const bool done = xml ? write_xml(stream, grid) : write_legacy(stream, grid, title);
+    out.finish();  // first of all says what was lost
+    if (!done) {
+        throw FileError(out.name(), "VTK cannot write it");
     }
 }
 

@@ -1,5 +1,10 @@
 #include "report_json.hpp"
 
+#include <pavior/io/group_names.hpp>
+
+#include <string>
+#include <vector>
+
 namespace pavior::detail {
 
 using Json = nlohmann::json;
@@ -30,7 +35,7 @@ Json to_json(const Statistics& s) {
 
 }  // namespace
 
-Json to_json(const HexMeshData& data, const MeshCheck& check) {
+Json to_json(const HexMeshData& data, const MeshCheck& check, std::optional<MeshFormat> format) {
     Json json{{"nodes", check.nodes},
               {"hexahedra", check.hexahedra},
               {"quads", data.quads.size()},
@@ -48,11 +53,19 @@ Json to_json(const HexMeshData& data, const MeshCheck& check) {
         }
     }
     json["groups"] = Json::array();
+    std::map<std::pair<int, int>, std::string> written;
+    for (const MeshGroup& group : format ? names_in_file(data, *format) : std::vector<MeshGroup>()) {
+        written[{group.dimension, group.number}] = group.name;
+    }
     for (const auto& [group, size] : group_sizes(data)) {
-        json["groups"].push_back({{"dimension", group.first},
-                                  {"number", group.second},
-                                  {"name", group_name(data, group.first, group.second)},
-                                  {"cells", size}});
+        Json entry{{"dimension", group.first},
+                   {"number", group.second},
+                   {"name", group_name(data, group.first, group.second)},
+                   {"cells", size}};
+        if (format) {
+            entry["written_as"] = written[group];
+        }
+        json["groups"].push_back(std::move(entry));
     }
     return json;
 }

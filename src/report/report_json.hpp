@@ -2,6 +2,7 @@
 // Reports of the library as JSON: internal to pavior::part and the program.
 
 #include <pavior/brep/brep.hpp>
+#include <pavior/io/mesh_file.hpp>
 #include <pavior/mesh/grouped_mesh.hpp>
 #include <pavior/mesh/mesh_check.hpp>
 #include <pavior/smooth/report.hpp>
@@ -12,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace pavior {
@@ -28,8 +30,9 @@ namespace detail {
 
 [[nodiscard]] nlohmann::json to_json(const SmoothReport& report);
 [[nodiscard]] nlohmann::json to_json(const SweepReport& report);
-/// Counts, faults, quality, groups.
-[[nodiscard]] nlohmann::json to_json(const HexMeshData& data, const MeshCheck& check);
+/// Counts, faults, quality, groups; with the names that they have in a file of \p format if one was written.
+[[nodiscard]] nlohmann::json to_json(const HexMeshData& data, const MeshCheck& check,
+                                     std::optional<MeshFormat> format = {});
 /// Counts, sheets, violations and times of the steps.
 [[nodiscard]] nlohmann::json to_json(const BlockReference& input, const SolidBlocks& solid);
 [[nodiscard]] nlohmann::json to_json(const AnyModel& model, const SweptSolids& swept);

@@ -2,6 +2,7 @@
 
 #include <pavior/block/block_mesh_data.hpp>
 #include <pavior/block/detail/tag_finder.hpp>
+#include <pavior/mesh/outward_quads.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -70,8 +71,11 @@ PAVIOR_INLINE HexMeshData block_mesh_data(const SolidBlocks& solid, const Tagged
         }
     }
     for (const int group : std::set<int>(data.quad_groups.begin(), data.quad_groups.end())) {
-        data.groups.push_back({2, group, (tagged ? face : "patch ") + std::to_string(group)});
+        const auto own = surface.face_names.find(group);
+        const bool named = tagged && own != surface.face_names.end();
+        data.groups.push_back({2, group, named ? own->second : (tagged ? face : "patch ") + std::to_string(group)});
     }
+    turn_quads_outward(data);
     return data;
 }
 

@@ -17,7 +17,7 @@ namespace pavior {
 ///   dimension  pieces: 0 vertex, 1 chain, 2 patch, 3 cell; contributions: -1
 ///   rgb        three bytes: the colour of section 5.7 \cite roca2009, one for each region
 /// The file appears whole or not at all.
-/// \throws FileError (extension, directory missing or not writable)
+/// \throws FileError (extension, directory missing or not writable, disk full)
 void write_dual(const std::string& file, const DualSurfaces& surfaces, const RegionPolyhedra& regions);
 
 }  // namespace pavior

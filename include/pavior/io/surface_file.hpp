@@ -27,7 +27,8 @@ struct SurfaceReadOptions {
 ///   .ply  ASCII, binary of both byte orders
 /// Polygons are cut into triangles (by ears, in the plane that fits them). Nodes are welded; triangles that lose a
 /// corner by that, and nodes of no triangle, are dropped; the rest keeps the order of the file. Nothing else is mended:
-/// see check_surface(). Without groups there are no face tags. O(n log n).
+/// see check_surface(). Without groups there are no face tags; solids and groups with a name give it to their tag.
+/// O(n log n).
 /// \throws FileError naming the line, vertex or face that cannot be read (also as ids()); InputError (bad_option) for a
 ///         weld distance that is not a number
 [[nodiscard]] TaggedSurface read_surface(const std::string& file, const SurfaceReadOptions& options = {});

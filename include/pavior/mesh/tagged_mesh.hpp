@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace pavior {
@@ -38,9 +40,10 @@ struct TaggedNode {
 /// A triangulated surface. Triangles of the boundary of the solid are counter-clockwise seen from outside.
 struct TaggedSurface {
     TriMesh mesh;
-    std::vector<std::int32_t> face_tags;  ///< a tag a triangle, or empty: no tags
-    std::vector<TaggedEdge> edges;        ///< edges on tagged curves; empty if curves are not known
-    std::vector<TaggedNode> vertices;     ///< nodes that are vertices of the geometry; empty if not known
+    std::vector<std::int32_t> face_tags;             ///< a tag a triangle, or empty: no tags
+    std::vector<TaggedEdge> edges;                   ///< edges on tagged curves; empty if curves are not known
+    std::vector<TaggedNode> vertices;                ///< nodes that are vertices of the geometry; empty if not known
+    std::map<std::int32_t, std::string> face_names;  ///< names of those face tags that have one
 };
 
 /// Tetrahedra, all positive, and what of them lies on the geometry.

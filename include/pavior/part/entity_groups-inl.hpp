@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pavior/mesh/outward_quads.hpp>
 #include <pavior/part/entity_groups.hpp>
 
 #include <cstddef>
@@ -41,6 +42,7 @@ PAVIOR_INLINE HexMeshData grouped(const AnyModel& b, std::span<const SolidId> so
         data.quad_groups.push_back(b.tag(2, face.index()));
     }
     data.groups = entity_groups(b, solids);
+    turn_quads_outward(data);
     return data;
 }
 

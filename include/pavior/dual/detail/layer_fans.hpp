@@ -45,7 +45,7 @@ public:
     /// one stack edge to the other. Nodes where layers or chains dangle are left out.
     [[nodiscard]] std::vector<Index> pinched_nodes() {
         if (faces_.empty()) {
-            return {};
+            return {};  // and g++ 12 does not warn of an array without bytes
         }
         DisjointSets fans(3 * faces_.size());
         for (const Index l : stoppable(IndexRange(faces_.size()), stop_)) {
