@@ -12,7 +12,6 @@
 #include <iostream>
 #include <utility>
 
-#include <pthread.h>
 #include <unistd.h>
 
 namespace pavior::cli {
@@ -35,7 +34,7 @@ Guard::Guard() {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, wake_up}) {
         sigaddset(&signals_, signal);
     }
-    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+    sigprocmask(SIG_BLOCK, &signals_, nullptr);
     watcher_ = std::thread([this] { watch(); });
 }
 
@@ -81,7 +80,7 @@ int Guard::farewell() {
     return exit_not_meshable;
 }
 
-void Guard::wake() { pthread_kill(watcher_.native_handle(), wake_up); }
+void Guard::wake() { ::kill(::getpid(), wake_up); }
 
 void Guard::watch() {
     std::optional<Clock::time_point> asked;
