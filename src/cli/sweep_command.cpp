@@ -49,12 +49,12 @@ SweepOptions sweep_options(const SweepCommand& command, const Guard& guard) {
 
 Swept sweep_problem_file(const SweepCommand& command, const Guard& guard, const Progress& progress) {
     const SweepProblem problem = read_sweep_problem(command.input);
-    if (problem.quads.empty()) {
-        throw FileError(command.input, "\"quads\" is empty: there is nothing to sweep");
-    }
     SweepOptions options = sweep_options(command, guard);
     options.progress = progress;
     SweepResult result = sweep(problem, options);
+    if (problem.quads.empty()) {
+        throw FileError(command.input, "\"quads\" is empty: there is nothing to sweep");
+    }
     Swept swept;
     swept.report["sweep"] = detail::to_json(result.report);
     for (const SweepWarning& warning : result.report.warnings) {
