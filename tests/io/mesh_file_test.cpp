@@ -114,6 +114,17 @@ TEST_CASE("both versions of .msh, binary and text, are read back by Gmsh as they
     CHECK(contents.size() == 4);
 }
 
+TEST_CASE("VTK's files keep every name") {
+    HexMeshData data = two_hexes();
+    data.groups = {
+        {3, 7, "a <b> & \"c\" 'd' &amp; %20 %"}, {3, 9, "bolt\\\"M8\""}, {2, 1, "1 2 int"}, {2, 2, "\xE5\x85\xA5"}};
+    for (const char* name : {"names.vtu", "names.vtk"}) {
+        CAPTURE(name);
+        write_mesh(scratch() / name, data);
+        CHECK(read_mesh(scratch() / name).groups == data.groups);
+    }
+}
+
 TEST_CASE("groups of any numbers and in any order, and many of them, survive in .msh") {
     HexMeshData data;
     data.mesh = shapes::hex_box(4, 3, 2);
