@@ -442,7 +442,7 @@ private:
         for (const Id bound : references(instances_.argument(face, 1))) {
             for (const Id oriented : references(instances_.argument(reference(instances_.argument(bound, 1)), 1))) {
                 const Id edge = reference(instances_.argument(oriented, 3));
-                for (const std::size_t end : {1, 2}) {
+                for (const std::size_t end : {std::size_t{1}, std::size_t{2}}) {
                     add_vertex(reference(instances_.argument(edge, end)), own);
                 }
             }
