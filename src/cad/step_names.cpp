@@ -103,13 +103,13 @@ public:
         double kernel = 0;
         double file = 0;
         for (const KernelSolid& solid : solids) {
-            kernel += solid.shape.radius;
+            kernel = std::max(kernel, solid.shape.radius);
         }
         for (const StepSolid& step : steps) {
-            file += shape_of(step.vertices, 1.0).radius;
+            file = std::max(file, shape_of(step.vertices, 1.0).radius);
         }
         // The same solids in both, but in other units: so much longer is the kernel's.
-        scale_ = solids.size() == steps.size() && file > 0 && kernel > 0 ? kernel / file : 1.0;
+        scale_ = file > 0 && kernel > 0 ? kernel / file : 1.0;
         for (const StepSolid& step : steps) {
             shapes_.push_back(shape_of(step.vertices, scale_));
         }
@@ -172,44 +172,89 @@ FaceShape face_shape(const std::vector<Vec3>& points, double scale, const Shape&
     return face;
 }
 
-void name_faces(const KernelSolid& solid, const StepSolid& step, double scale, EntityNames& names) {
-    const Shape whole = shape_of(step.vertices, scale);
-    const double size = std::max(solid.shape.radius, std::numeric_limits<double>::min());
-    const bool complete = solid.faces.size() == step.faces.size();
-    std::vector<FaceShape> shapes;
-    for (const StepFace& face : step.faces) {
-        shapes.push_back(face_shape(face.vertices, scale, whole));
-    }
-    std::vector<char> used(step.faces.size(), 0);
-    std::vector<char> done(solid.faces.size(), 0);
-    const auto take = [&](std::size_t i, std::size_t k) {
-        used[k] = done[i] = 1;
-        if (!step.faces[k].name.empty()) {
-            names[{2, solid.faces[i]}] = step.faces[k].name;
+/// Finds which face of a solid of the file each face of the model's solid is.
+class FaceMatching {
+public:
+    FaceMatching(const KernelSolid& solid, const StepSolid& step, double scale)
+        : size_(std::max(solid.shape.radius, std::numeric_limits<double>::min())),
+          used_(step.faces.size(), 0),
+          found_(solid.faces.size()) {
+        const Shape whole = shape_of(step.vertices, scale);
+        for (const int tag : solid.faces) {
+            kernel_.push_back(face_shape(points_of(2, tag), 1.0, solid.shape));
         }
-    };
-    std::vector<FaceShape> own;
-    for (const int tag : solid.faces) {
-        own.push_back(face_shape(points_of(2, tag), 1.0, solid.shape));
-    }
-    const auto fits = [&](std::size_t i, std::size_t k) {
-        return alike(own[i].own, shapes[k].own, size) && near(own[i].distance, shapes[k].distance, size);
-    };
-    for (std::size_t i = 0; i < solid.faces.size() && complete; ++i) {  // the kernel keeps the order of the shell
-        if (fits(i, i)) {
-            take(i, i);
+        for (const StepFace& face : step.faces) {
+            file_.push_back(face_shape(face.vertices, scale, whole));
         }
+        in_place_ = !step.placed || ((solid.shape.centre - whole.centre).norm() <= tolerance * size_ && all_in_place());
+        in_order_ = !step.surface && kernel_.size() == file_.size();
     }
-    for (std::size_t i = 0; i < solid.faces.size(); ++i) {
-        for (std::size_t k = 0; k < step.faces.size() && done[i] == 0; ++k) {
-            if (used[k] == 0 && fits(i, k)) {
-                take(i, k);
+
+    /// Positions among the faces of the file.
+    std::vector<std::optional<std::size_t>> run() {
+        for (std::size_t i = 0; i < kernel_.size() && in_order_; ++i) {  // the kernel keeps the order of the shell
+            if (fits(i, i)) {
+                take(i, i);
             }
         }
+        for (std::size_t i = 0; i < kernel_.size(); ++i) {
+            if (const auto only = only_fit(i); !found_[i] && only) {
+                take(i, *only);
+            }
+        }
+        for (std::size_t i = 0; i < kernel_.size() && in_order_; ++i) {  // without vertices, or mended
+            if (!found_[i] && used_[i] == 0) {
+                take(i, i);
+            }
+        }
+        return found_;
     }
-    for (std::size_t i = 0; i < solid.faces.size() && complete; ++i) {  // without vertices, or mended
-        if (done[i] == 0 && used[i] == 0) {
-            take(i, i);
+
+private:
+    void take(std::size_t i, std::size_t k) {
+        used_[k] = 1;
+        found_[i] = k;
+    }
+
+    [[nodiscard]] bool same_place(const FaceShape& a, const FaceShape& b) const {
+        return (a.own.centre - b.own.centre).norm() <= tolerance * size_;
+    }
+    [[nodiscard]] bool all_in_place() const {
+        return std::all_of(file_.begin(), file_.end(), [&](const FaceShape& a) {
+            return std::any_of(kernel_.begin(), kernel_.end(), [&](const FaceShape& b) { return same_place(a, b); });
+        });
+    }
+    [[nodiscard]] bool fits(std::size_t i, std::size_t k) const {
+        return (!in_place_ || same_place(kernel_[i], file_[k])) && alike(kernel_[i].own, file_[k].own, size_) &&
+               near(kernel_[i].distance, file_[k].distance, size_);
+    }
+    [[nodiscard]] std::optional<std::size_t> only_fit(std::size_t i) const {
+        std::optional<std::size_t> only;
+        for (std::size_t k = 0; k < file_.size(); ++k) {
+            if (used_[k] == 0 && fits(i, k)) {
+                if (only) {
+                    return std::nullopt;
+                }
+                only = k;
+            }
+        }
+        return only;
+    }
+
+    double size_;
+    std::vector<FaceShape> kernel_;
+    std::vector<FaceShape> file_;
+    std::vector<char> used_;
+    std::vector<std::optional<std::size_t>> found_;
+    bool in_place_ = true;  ///< no assembly has moved the solid
+    bool in_order_ = true;
+};
+
+void name_faces(const KernelSolid& solid, const StepSolid& step, double scale, EntityNames& names) {
+    const auto found = FaceMatching(solid, step, scale).run();
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (found[i] && !step.faces[*found[i]].name.empty()) {
+            names[{2, solid.faces[i]}] = step.faces[*found[i]].name;
         }
     }
 }

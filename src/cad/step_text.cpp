@@ -303,7 +303,7 @@ public:
                 add_product(definition, false, 0);
             }
         }
-        for (const Id solid : solids_) {
+        for (const Id solid : solids()) {
             if (used_.count(solid) == 0) {
                 add_solid(solid, 0, false, false);
             }
@@ -331,13 +331,22 @@ private:
             const Id other = reference(instances_.argument(id, 3));
             related_[one].push_back(other);
             related_[other].push_back(one);
-        } else if (is_solid(keyword)) {
-            solids_.push_back(id);
+        } else if (is_volume(keyword)) {
+            volumes_.push_back(id);
+        } else if (is_surface(keyword)) {
+            surfaces_.push_back(id);
         }
     }
 
-    static bool is_solid(std::string_view keyword) {
+    static bool is_volume(std::string_view keyword) {
         return keyword == "MANIFOLD_SOLID_BREP" || keyword == "BREP_WITH_VOIDS" || keyword == "FACETED_BREP";
+    }
+    static bool is_surface(std::string_view keyword) { return keyword == "SHELL_BASED_SURFACE_MODEL"; }
+
+    /// What becomes a solid.
+    [[nodiscard]] const std::vector<Id>& solids() const { return volumes_.empty() ? surfaces_ : volumes_; }
+    [[nodiscard]] bool is_solid(std::string_view keyword) const {
+        return volumes_.empty() ? is_surface(keyword) : is_volume(keyword);
     }
 
     void add_product(Id definition, bool placed, int depth) {
@@ -398,6 +407,7 @@ private:
         used_.insert(id);
         StepSolid& solid = result_.emplace_back();
         solid.placed = placed;
+        solid.surface = volumes_.empty();
         const std::string_view product = definition == 0 ? std::string_view() : product_of(definition);
         solid.product = product;
         const std::string quoted = "'" + solid.product + "'";
@@ -418,7 +428,7 @@ private:
     }
 
     [[nodiscard]] std::vector<Id> shells(Id solid) const {
-        std::vector<Id> ids{reference(instances_.argument(solid, 1))};
+        std::vector<Id> ids = references(instances_.argument(solid, 1));
         const std::vector<Id> voids = references(instances_.argument(solid, 2));
         ids.insert(ids.end(), voids.begin(), voids.end());
         return ids;
@@ -432,7 +442,7 @@ private:
         for (const Id bound : references(instances_.argument(face, 1))) {
             for (const Id oriented : references(instances_.argument(reference(instances_.argument(bound, 1)), 1))) {
                 const Id edge = reference(instances_.argument(oriented, 3));
-                for (const std::size_t end : {1, 2}) {
+                for (const std::size_t end : {std::size_t{1}, std::size_t{2}}) {
                     add_vertex(reference(instances_.argument(edge, end)), own);
                 }
             }
@@ -465,7 +475,8 @@ private:
     std::map<Id, std::vector<Id>> representations_;  ///< of a product
     std::map<Id, std::vector<Id>> children_;         ///< of an assembly
     std::map<Id, std::vector<Id>> related_;          ///< representations that are one
-    std::vector<Id> solids_;
+    std::vector<Id> volumes_;
+    std::vector<Id> surfaces_;
     std::set<Id> used_;
     std::vector<StepSolid> result_;
 };

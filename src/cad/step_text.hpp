@@ -19,9 +19,10 @@ struct StepFace {
 
 /// A solid where the product structure puts it.
 struct StepSolid {
-    std::string name;     ///< of the product, or of the solid; see read_step_solids()
-    std::string product;  ///< as it stands in the file, escapes and all
-    bool placed = false;  ///< by an assembly: its vertices are not where they say
+    std::string name;      ///< of the product, or of the solid; see read_step_solids()
+    std::string product;   ///< as it stands in the file, escapes and all
+    bool surface = false;  ///< faces alone: what becomes of them is the kernel's choice
+    bool placed = false;   ///< by an assembly: its vertices are not where they say
     std::vector<StepFace> faces;
     std::vector<Vec3> vertices;  ///< each once
 };
@@ -32,7 +33,8 @@ struct StepSolid {
 
 /// The solids of a STEP file as the products and their assemblies name them, parts that are used twice twice. A solid
 /// has the name of its product if that is its only one, else its own where there is one. Names that only say which
-/// program wrote the file ("Open CASCADE ...", "NONE") are none. What cannot be read has no name; nothing is thrown.
+/// program wrote the file ("Open CASCADE ...", "NONE") are none. Where there is no solid, surface models stand for them. What
+/// cannot be read has no name; nothing is thrown.
 [[nodiscard]] std::vector<StepSolid> read_step_solids(std::string_view text);
 
 }  // namespace pavior::detail

@@ -117,7 +117,8 @@ struct Rule {
         if (abaqus()) {
             name = abaqus_label(group, name);
         } else if (format != MeshFormat::vtu && format != MeshFormat::vtk) {
-            std::replace(name.begin(), name.end(), '"', '\'');
+            std::replace(name.begin(), name.end(), '"', '\'');  // ends a name
+            std::replace(name.begin(), name.end(), '\\', '/');  // it quotes what follows, says meshio
         }
         return shortened(name, 0);
     }
@@ -160,7 +161,11 @@ std::vector<MeshGroup> listed(const HexMeshData& data, bool all) {
 /// Keeps the first of each name and puts numbers behind the others.
 class Names {
 public:
-    explicit Names(Rule rule) : rule_(rule) { taken_.insert(rule.key("METADATA")); }  // a keyword of .vtk
+    explicit Names(Rule rule) : rule_(rule) {
+        if (rule.format == MeshFormat::vtk) {
+            taken_.insert("METADATA");  // a keyword there
+        }
+    }
 
     bool take(const std::string& name) { return taken_.insert(rule_.key(name)).second; }
 

@@ -34,12 +34,28 @@ vtkSmartPointer<vtkDataArray> whole_numbers(const char* name, bool xml) {
     return array;
 }
 
+/// VTK puts names of arrays into XML as they are.
+std::string escaped(const std::string& name) {
+    std::string result;
+    for (const char c : name) {
+        switch (c) {
+            case '&': result += "&amp;"; break;
+            case '<': result += "&lt;"; break;
+            case '>': result += "&gt;"; break;
+            case '"': result += "&quot;"; break;
+            default: result += c;
+        }
+    }
+    return result;
+}
+
 /// One array a group, called as it is: number, dimension. That is how meshio hands on the names of Gmsh's groups; it
 /// cannot read text.
 void add_group_names(vtkFieldData& fields, const std::vector<MeshGroup>& groups, bool xml) {
     for (const MeshGroup& group : groups) {
         if (!group.name.empty()) {
-            const vtkSmartPointer<vtkDataArray> array = whole_numbers(group.name.c_str(), xml);
+            const vtkSmartPointer<vtkDataArray> array =
+                whole_numbers((xml ? escaped(group.name) : group.name).c_str(), xml);
             array->InsertNextTuple1(group.number);
             array->InsertNextTuple1(group.dimension);
             fields.AddArray(array);

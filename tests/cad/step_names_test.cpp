@@ -167,12 +167,27 @@ TEST_CASE("other units change no name") {
     CHECK(places_of(b, "\xE5\x85\xA5\xE5\x8F\xA3") == std::multiset<std::string>{"x=0"});
 }
 
+TEST_CASE("faces of a surface model that is sewn keep their names") {
+    // One box as faces alone; the other is no more.
+    const auto text = changed(
+        "names_utf8.step",
+        {{"MANIFOLD_SOLID_BREP('Geh\xC3\xA4use \xC3\x98',#38)", "SHELL_BASED_SURFACE_MODEL('Geh\xC3\xA4use',(#38))"},
+         {"(#11,#386)", "(#11)"},
+         {"MANIFOLD_SOLID_BREP('bolt-1',#387)", "CARTESIAN_POINT('',(0.,0.,0.))"},
+         {"ADVANCED_BREP_SHAPE", "MANIFOLD_SURFACE_SHAPE"}});
+    const GmshBrep b = GmshBrep::load(saved("sewn.step", text));
+    CHECK(solids(b) == Names{"Geh\xC3\xA4use"});
+    CHECK(places_of(b, "\xE5\x85\xA5\xE5\x8F\xA3") == std::multiset<std::string>{"x=0"});
+    CHECK(places_of(b, "in-let") == std::multiset<std::string>{"y=0"});
+    CHECK(places_of(b, "wall") == std::multiset<std::string>{"y=2", "z=0"});
+}
+
 TEST_CASE("triangles of a CAD model carry the names of its faces") {
     const CadTriangulation made = triangulate_solids(fault("names_utf8.step"));
     std::multiset<std::string> names;
     for (const auto& [tag, name] : made.surface.face_names) {
         names.insert(name);
     }
-    CHECK(names ==
-          std::multiset<std::string>{"\xE5\x85\xA5\xE5\x8F\xA3", "in let", "in-let", "wall", "wall", "1inlet"});
+    CHECK(names == std::multiset<std::string>{"\xE5\x85\xA5\xE5\x8F\xA3", "in let", "in-let", "wall", "wall", "1inlet",
+                                              "1inlet"});
 }

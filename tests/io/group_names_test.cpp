@@ -64,6 +64,7 @@ TEST_CASE("slashes, spaces and UTF-8 stay where the format can hold them") {
               Names{"\xEF\xBF\xBD\xEF\xBF\xBD", "\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD"});
     }
     CHECK(written(MeshFormat::vtu, {"bolt \"M8\""}) == Names{"bolt \"M8\""});
+    CHECK(written(MeshFormat::msh41, {"a\\b\\", "a/b/"}) == Names{"a/b/_2", "a/b/"});
     CHECK(written(MeshFormat::msh41, {"bolt \"M8\"", "bolt 'M8'"}) == Names{"bolt 'M8'_2", "bolt 'M8'"});
 }
 

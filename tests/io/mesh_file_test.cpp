@@ -108,10 +108,21 @@ TEST_CASE("both versions of .msh, binary and text, are read back by Gmsh as they
         CHECK(back.hex_groups == data.hex_groups);
         CHECK(back.quad_groups == data.quad_groups);
         CHECK(names(back, 3) == std::vector<std::string>{"Geh\xC3\xA4use \xC3\x98", "bolt 'M8'"});
-        CHECK(names(back, 2) == std::vector<std::string>{"back\\slash\\", "it's a"});
+        CHECK(names(back, 2) == std::vector<std::string>{"back/slash/", "it's a"});
         contents.insert(content(file));
     }
     CHECK(contents.size() == 4);
+}
+
+TEST_CASE("VTK's files keep every name") {
+    HexMeshData data = two_hexes();
+    data.groups = {
+        {3, 7, "a <b> & \"c\" 'd' &amp; %20 %"}, {3, 9, "bolt\\\"M8\""}, {2, 1, "1 2 int"}, {2, 2, "\xE5\x85\xA5"}};
+    for (const char* name : {"names.vtu", "names.vtk"}) {
+        CAPTURE(name);
+        write_mesh(scratch() / name, data);
+        CHECK(read_mesh(scratch() / name).groups == data.groups);
+    }
 }
 
 TEST_CASE("groups of any numbers and in any order, and many of them, survive in .msh") {

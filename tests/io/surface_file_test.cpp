@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -166,6 +167,30 @@ TEST_CASE("ASCII STL: all digits, welded, solids as tags") {
     SurfaceReadOptions apart;
     apart.weld_distance = -1.0;
     CHECK(read("a.stl", ascii_stl(), apart).mesh.nodes.size() == 12);
+}
+
+TEST_CASE("Solids of STL files and groups of OBJ files give their names to their tags") {
+    const auto facet = [](const char* x) {
+        return std::string("facet normal 0 0 1\nouter loop\nvertex 0 0 ")
+            .append(x)
+            .append("\nvertex 1 0 ")
+            .append(x)
+            .append("\nvertex 0 1 ")
+            .append(x)
+            .append("\nendloop\nendfacet\n");
+    };
+    using Names = std::map<std::int32_t, std::string>;
+    const std::string two = "solid  wall \"a b\" \r\n" + facet("0") + "endsolid\nsolid\n" + facet("1") +
+                            "endsolid\nSOLID wall\n" + facet("2") + "endsolid wall\n";
+    CHECK(read("named.stl", two).face_names == Names{{1, "wall \"a b\""}, {3, "wall"}});
+    CHECK(read("one.stl", "solid bolt\n" + facet("0") + "endsolid bolt\n").face_names.empty());  // no tags
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+    CHECK(read("named.obj", points + "g top side\nf 1 2 3\ng none\ng low\nf 1 2 4\ng top side\nf 2 3 4\n").face_names ==
+          Names{{1, "top side"}, {2, "low"}});
+    CHECK(read("objects.obj", points + "o a\nf 1 2 3\no b\nf 1 2 4\n").face_names == Names{{1, "a"}, {2, "b"}});
+    CHECK(read("none.obj", points + "f 1 2 3\n").face_names.empty());
+    const TaggedSurface six = read_surface(std::string(PAVIOR_TEST_DATA).append("/faults/stl_six_named_patches.stl"));
+    CHECK(six.face_names == Names{{1, "bottom"}, {2, "top"}, {3, "s1"}, {4, "s2"}, {5, "s3"}, {6, "s4"}});
 }
 
 TEST_CASE("Binary STL, also one that begins with solid") {

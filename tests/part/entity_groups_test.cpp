@@ -22,12 +22,13 @@ TEST_CASE("A mesh of entities becomes a mesh of groups") {
     SolidsMesh made;
     made.mesh = {std::vector<Vec3>(8, Vec3::Zero()), {{0, 1, 2, 3, 4, 5, 6, 7}}};
     made.hex_solid = {SolidId{1}};
-    made.quads = {{0, 1, 2, 3}};
-    made.quad_face = {FaceId{2}};
+    made.quads = {{0, 1, 2, 3}, {4, 5, 6, 7}};  // the first looks inward
+    made.quad_face = {FaceId{2}, FaceId{3}};
     TestBrep b;
     const std::vector<SolidId> solids = add_box_row(b, {0, 1, 2});
     const HexMeshData data = grouped(b, solids, std::move(made));
     CHECK(data.mesh.hexes.size() == 1);
     CHECK(data.hex_groups == std::vector{b.tag(3, 1)});
-    CHECK(data.quad_groups == std::vector{b.tag(2, 2)});
+    CHECK(data.quad_groups == std::vector{b.tag(2, 2), b.tag(2, 3)});
+    CHECK(data.quads == std::vector<QuadCorners>{{0, 3, 2, 1}, {4, 5, 6, 7}});
 }

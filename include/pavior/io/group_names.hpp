@@ -15,7 +15,7 @@ namespace pavior {
 ///         are not UTF-8 U+FFFD, and spaces at the ends go
 ///   .vtu  any other UTF-8
 ///   .vtk  at most 240 bytes with the escapes of VTK (%20 for a space), cut between characters
-///   .msh  " becomes ', at most 200 bytes
+///   .msh  " becomes ' and \ becomes /, at most 200 bytes
 ///   .inp  letters, digits and underscores, a letter first, at most 80; names differ also in capitals. Other characters
 ///         become underscores, each one; a name without letters is VOLUME_ or SURFACE_ and its number
 /// A group without a name keeps none, but in .inp; only there numbers of cells that are no group's are listed, too.
