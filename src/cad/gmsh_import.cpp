@@ -138,8 +138,8 @@ void try_reading(const std::filesystem::path& file, const std::function<void()>&
     }
     if (answer.end == End::threw) {
         const std::string prefix = FileError(file.string(), "").what();
-        throw FileError(file.string(), answer.reason.rfind(prefix, 0) == 0 ? answer.reason.substr(prefix.size())
-                                                                           : answer.reason);
+        throw FileError(file.string(),
+                        answer.reason.rfind(prefix, 0) == 0 ? answer.reason.substr(prefix.size()) : answer.reason);
     }
 }
 
@@ -206,8 +206,8 @@ std::array<double, 6> bounding_box(int dim, int tag) {
     return box;
 }
 
-/// A point inside the face by trial on grids, away from its boundary if there is such a one: points of boundaries lie on
-/// other faces, too.
+/// A point inside the face by trial on grids, away from its boundary if there is such a one: points of boundaries lie
+/// on other faces, too.
 bool point_inside(const GmshModel& model, int tag, Vec3& point) {
     const auto [low, high] = model.face_bounds(tag);
     const Vec2 size = high - low;

@@ -20,8 +20,8 @@
 #include <iostream>
 #include <map>
 #include <set>
-#include <utility>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pavior::cli {
@@ -75,9 +75,8 @@ void check_tags(const BlockCommand& command, const BlockReference& input) {
     const auto check = [](const std::map<int, double>& sizes, const std::set<int>& known, const char* kind) {
         for (const auto& [tag, size] : sizes) {
             if (!known.contains(tag)) {
-                throw InputError(ErrorCode::bad_option,
-                                 std::string("a local size for ") + kind + " " + std::to_string(tag) +
-                                     ", which bounds no blocks");
+                throw InputError(ErrorCode::bad_option, std::string("a local size for ") + kind + " " +
+                                                            std::to_string(tag) + ", which bounds no blocks");
             }
         }
     };

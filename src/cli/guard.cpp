@@ -8,8 +8,8 @@
 #include <cmath>
 #include <ctime>
 #include <exception>
-#include <optional>
 #include <iostream>
+#include <optional>
 #include <utility>
 
 #include <unistd.h>

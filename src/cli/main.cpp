@@ -29,8 +29,7 @@ std::optional<double> number_in(const std::string& text) {
 /// "edge:12=0.5" or "bolt=0.5" among \p lengths.
 void add_local_length(const std::string& text, LocalLengths& lengths) {
     const std::size_t equals = text.rfind('=');
-    const std::optional<double> size =
-        equals == std::string::npos ? std::nullopt : number_in(text.substr(equals + 1));
+    const std::optional<double> size = equals == std::string::npos ? std::nullopt : number_in(text.substr(equals + 1));
     if (!size || !(*size > 0) || !std::isfinite(*size) || equals == 0) {
         throw CLI::ValidationError("--local-size " + text,
                                    "KIND:TAG=H or NAME=H expected, KIND edge, face or solid, H a positive number");
@@ -66,7 +65,8 @@ CLI::Validator whole_number(long long least, long long most) {
     const auto check = [=](const std::string& text) {
         const std::optional<double> value = number_in(text);
         const bool fits = value && *value == std::floor(*value) && *value >= static_cast<double>(least) &&
-                          *value <= static_cast<double>(most) && text.find_first_not_of("0123456789") == std::string::npos;
+                          *value <= static_cast<double>(most) &&
+                          text.find_first_not_of("0123456789") == std::string::npos;
         return fits ? std::string() : "\"" + text + "\" is no " + range;
     };
     return CLI::Validator(check, "");

@@ -231,7 +231,8 @@ ExitCode run_mesh(const MeshCommand& command, Guard& guard) {
         options.call_seconds = 0.9 * guard.seconds_left();  // what is left is for the file
     } else {
         options.seconds = default_seconds;
-        guard.set_limit(watch.total() + default_seconds * static_cast<double>(model.solid_count() + 1), late_report(command));
+        guard.set_limit(watch.total() + default_seconds * static_cast<double>(model.solid_count() + 1),
+                        late_report(command));
     }
     const PartMesh part = mesh_model(model, options);
     check_stop(guard.stop());

@@ -102,7 +102,8 @@ TEST_CASE("local sizes hold in every command, by tag and by name") {
 TEST_CASE("more hexahedra than the limit are refused at once, with a size that fits") {
     for (const std::string command : {"mesh ", "sweep ", "block "}) {
         check_refused(command + part + " --size 1e-4", "would fit");
-        const ProgramRun run = run_program(command + part + " --size 0.1 --max-hexahedra 1000 -o " + scratch_file("l.vtu"));
+        const ProgramRun run =
+            run_program(command + part + " --size 0.1 --max-hexahedra 1000 -o " + scratch_file("l.vtu"));
         CAPTURE(command, run.err);
         REQUIRE(run.code == 2);
         const std::size_t at = run.err.find("; size ");

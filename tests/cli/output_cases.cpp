@@ -187,8 +187,8 @@ TEST_CASE("--timeout holds for the whole program, whatever it does") {
     const std::string report = here.file("r.json");
     for (const std::string command : {"mesh --method block ", "block "}) {
         const auto begin = std::chrono::steady_clock::now();
-        const ProgramRun run = run_program(command + model + " --size 0.2 --timeout 1.5 -o " + here.file("m.vtu") +
-                                           " --report " + report);
+        const ProgramRun run =
+            run_program(command + model + " --size 0.2 --timeout 1.5 -o " + here.file("m.vtu") + " --report " + report);
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
         CAPTURE(command, run.err, took.count());
         CHECK(run.code == 3);
@@ -197,5 +197,6 @@ TEST_CASE("--timeout holds for the whole program, whatever it does") {
         CHECK(json_of(report)["exit_code"] == 3);
         CHECK(here.names() == std::vector<std::string>{"r.json"});
     }
-    CHECK(run_program("sweep " + part + " --size 0.02 --max-hexahedra 0 --timeout 0.5 -o " + here.file("m.vtu")).code == 3);
+    CHECK(run_program("sweep " + part + " --size 0.02 --max-hexahedra 0 --timeout 0.5 -o " + here.file("m.vtu")).code ==
+          3);
 }

@@ -1,5 +1,5 @@
-// A few tetrahedra of a lattice, moved, with any features and cuts: block_solid() answers with blocks that its own report
-// describes, or with an InputError.
+// A few tetrahedra of a lattice, moved, with any features and cuts: block_solid() answers with blocks that its own
+// report describes, or with an InputError.
 #include "bytes.hpp"
 
 #include <pavior/block/block_solid.hpp>

@@ -19,7 +19,8 @@ public:
     double number() {
         const std::uint8_t value = byte();
         if (value == 255) {
-            constexpr double odd[] = {0.0, -0.0, 1e-300, 1e300, -1e300, __builtin_inf(), -__builtin_inf(), __builtin_nan("")};
+            constexpr double odd[] = {
+                0.0, -0.0, 1e-300, 1e300, -1e300, __builtin_inf(), -__builtin_inf(), __builtin_nan("")};
             return odd[below(8)];
         }
         return (static_cast<double>(value) - 127) / 127;

@@ -18,7 +18,8 @@ namespace {
 std::vector<Vec2> polygon(Bytes& bytes) {
     if (bytes.below(4) != 3) {
         const Vec2 low(0.25 * static_cast<double>(bytes.below(8)), 0.25 * static_cast<double>(bytes.below(8)));
-        const Vec2 extent(0.25 * static_cast<double>(1 + bytes.below(8)), 0.25 * static_cast<double>(1 + bytes.below(8)));
+        const Vec2 extent(0.25 * static_cast<double>(1 + bytes.below(8)),
+                          0.25 * static_cast<double>(1 + bytes.below(8)));
         return {low, low + Vec2(extent[0], 0), low + extent, low + Vec2(0, extent[1])};
     }
     std::vector<Vec2> points(bytes.below(7));

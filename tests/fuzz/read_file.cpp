@@ -19,9 +19,8 @@ namespace {
 
 /// A file in memory where there is one.
 const std::string& scratch() {
-    static const std::string name =
-        std::string(::access("/dev/shm", W_OK) == 0 ? "/dev/shm" : "/tmp") + "/pavior_fuzz_" +
-        std::to_string(::getpid()) + PAVIOR_FUZZ_EXTENSION;
+    static const std::string name = std::string(::access("/dev/shm", W_OK) == 0 ? "/dev/shm" : "/tmp") +
+                                    "/pavior_fuzz_" + std::to_string(::getpid()) + PAVIOR_FUZZ_EXTENSION;
     static const int registered = std::atexit([] { std::remove(name.c_str()); });
     fuzz::require(registered == 0);
     return name;

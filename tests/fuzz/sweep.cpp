@@ -45,9 +45,11 @@ QuadMesh source_of(Bytes& bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Bytes bytes(data, size);
     SweepOptions options;
-    options.method = std::array{AffineMethod::constrained, AffineMethod::h, AffineMethod::g, AffineMethod::f}[bytes.below(4)];
+    options.method =
+        std::array{AffineMethod::constrained, AffineMethod::h, AffineMethod::g, AffineMethod::f}[bytes.below(4)];
     options.strategy = bytes.below(2) == 0 ? SweepStrategy::direct : SweepStrategy::front;
-    options.correction = std::array{BoundaryCorrection::idw, BoundaryCorrection::harmonic, BoundaryCorrection::none}[bytes.below(3)];
+    options.correction =
+        std::array{BoundaryCorrection::idw, BoundaryCorrection::harmonic, BoundaryCorrection::none}[bytes.below(3)];
     const QuadMesh source = source_of(bytes);
     const std::size_t layers = bytes.below(5);
     const double scale = 1 + 0.9 * bytes.number();
@@ -78,7 +80,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         SweepResult one = sweep(problem, options);
         options.execution = Execution{2};
         const SweepResult two = sweep(problem, options);
-        fuzz::require(std::equal(one.mesh.nodes().begin(), one.mesh.nodes().end(), two.mesh.nodes().begin(), two.mesh.nodes().end()));
+        fuzz::require(std::equal(one.mesh.nodes().begin(), one.mesh.nodes().end(), two.mesh.nodes().begin(),
+                                 two.mesh.nodes().end()));
         const SmoothReport smoothed = untangle_sweep(one.mesh, problem.loops, sequential);
         fuzz::require(smoothed.inverted_after <= smoothed.inverted_before);
         fuzz::require(one.mesh.hexes().size() == problem.quads.size() * problem.layers);

@@ -219,7 +219,8 @@ PAVIOR_INLINE RefinedBlocks refine_blocks(const BlockMesh& blocks, const BlockGe
             "RefineOptions::intervals: one number a sheet expected");
     require(std::count(options.intervals.begin(), options.intervals.end(), 0U) == 0 && std::isfinite(options.size),
             ErrorCode::bad_option, "RefineOptions: intervals of 1 or more and a finite size expected");
-    std::vector<SheetIntervals> sheets = sheet_intervals(blocks, geometry, placement, {options.size, options.curve_size, options.patch_size});
+    std::vector<SheetIntervals> sheets =
+        sheet_intervals(blocks, geometry, placement, {options.size, options.curve_size, options.patch_size});
     for (std::size_t s = 0; s < options.intervals.size(); ++s) {
         sheets[s].intervals = options.intervals[s];
     }

@@ -69,7 +69,8 @@ private:
                 const GeometryEntity& on = blocks_.nodes[blocks_.quad_origin(blocks_.hex_quads[h][f])].geometry;
                 const auto wished = on.dimension == 2 ? lengths_.patch.find(on.tag) : lengths_.patch.end();
                 for (std::size_t k = 0; wished != lengths_.patch.end() && k < 4; ++k) {
-                    double& length = patch_length_[blocks_.hex_edges[h][static_cast<std::size_t>(hex_face_edges[f][k])]];
+                    double& length =
+                        patch_length_[blocks_.hex_edges[h][static_cast<std::size_t>(hex_face_edges[f][k])]];
                     length = length > 0 ? std::min(length, wished->second) : wished->second;
                 }
             }

@@ -34,8 +34,8 @@ struct BlockLengths {
     friend bool operator==(const BlockLengths&, const BlockLengths&) = default;
 };
 
-/// One entry a sheet: its edges, and as many intervals as bring them to the wished length on the average, 1 at least. In
-/// a sheet with edges on curves that have a length of their own only these count, else with edges on or round such
+/// One entry a sheet: its edges, and as many intervals as bring them to the wished length on the average, 1 at least.
+/// In a sheet with edges on curves that have a length of their own only these count, else with edges on or round such
 /// patches only those. No wish: two intervals. O(edges).
 /// \throws InputError bad_option (a size that is not a number, another length that is not positive), overflow (10^9
 /// intervals or more)

@@ -24,8 +24,9 @@ inline void check_tags(const std::map<int, double>& lengths, std::vector<int> kn
     for (const auto& [tag, length] : lengths) {
         if (!std::binary_search(known.begin(), known.end(), tag)) {
             refuse_length("a local size for " + kind + " " + std::to_string(tag) + ", which the model does not have" +
-                          (known.empty() ? "" : ": its tags go from " + std::to_string(known.front()) + " to " +
-                                                    std::to_string(known.back())));
+                          (known.empty() ? ""
+                                         : ": its tags go from " + std::to_string(known.front()) + " to " +
+                                               std::to_string(known.back())));
         }
     }
 }

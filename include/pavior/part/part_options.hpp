@@ -43,16 +43,16 @@ struct LocalLengths {
 /// Lengths are in the unit of the model, seconds are wall time. Tags are the numbers by which users of the CAD file
 /// know the entities (brep::tag).
 struct PartOptions {
-    double size = 0;                        ///< wished length of mesh edges; 0: diagonal / 12
-    LocalLengths local = {};                ///< others for some edges, faces and solids
-    double max_hexahedra = 0;               ///< refused where more are to be expected by volume and size; 0: no limit
+    double size = 0;           ///< wished length of mesh edges; 0: diagonal / 12
+    LocalLengths local = {};   ///< others for some edges, faces and solids
+    double max_hexahedra = 0;  ///< refused where more are to be expected by volume and size; 0: no limit
     /// Tried in this order; empty: all, in the order of PartMethod.
     std::vector<PartMethod> methods = {};
     /// Nothing more is tried once a valid mesh has a least scaled Jacobian of this.
     double sufficient = 0.2;
     bool node_entities = true;  ///< fill PartMesh::entities: some evaluations of the model for each boundary node
     double seconds = 60;  ///< limit for each solid; 0: none. A method that others follow may use half of what is left
-    double call_seconds = 0;  ///< limit of the whole call; solids not yet meshed share what is left. 0: none
+    double call_seconds = 0;           ///< limit of the whole call; solids not yet meshed share what is left. 0: none
     Execution execution = sequential;  ///< its stop token ends the call by Stopped
     Progress progress = {};            ///< never runs backwards
 };
