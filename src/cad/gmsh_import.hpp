@@ -1,6 +1,7 @@
 #pragma once
 // Reading CAD files into Gmsh, safely. Internal to the cad component.
 
+#include "file_tags.hpp"
 #include "gmsh_model.hpp"
 
 #include <filesystem>
@@ -26,9 +27,11 @@ void import_file(const std::filesystem::path& file);
 /// Runs \p task in a child process and returns what went wrong there: empty if nothing did.
 std::string try_in_child(const std::function<void()>& task, double seconds);
 
-/// Intersects the solids of \p model. \p populate fills another model in the same way, for the names of the faces.
-/// Returns the names after the operation.
-EntityNames imprint_solids(const GmshModel& model, const std::function<void()>& populate);
+/// Intersects the solids of \p model; what is closer than \p tolerance counts as touching. \p populate fills another
+/// model in the same way, for the names of the faces. Returns the names after the operation; \p pieces, if any, gets
+/// what became of the solids.
+EntityNames imprint_solids(const GmshModel& model, const std::function<void()>& populate, double tolerance = 0,
+                           SolidPieces* pieces = nullptr);
 
 /// The names of the current model.
 EntityNames read_names();

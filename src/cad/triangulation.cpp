@@ -70,9 +70,9 @@ bool is_plane(int face) {
 
 // ---- meshing ------------------------------------------------------------------------------------------------------
 
-void generate(double size, int per_turn) {
+void generate(double size, double least, int per_turn) {
     detail::GmshOptions options;
-    detail::set_mesh_options(options, size, per_turn);
+    detail::set_mesh_options(options, size, least, per_turn);
     gmsh::model::mesh::clear();
     for (const auto& face : entities(2)) {
         constexpr int initial_only = 3;
@@ -145,17 +145,19 @@ void check_meshed() {
     }
 }
 
-/// Meshes ever finer until the chord is met.
-void mesh_model(const TriangulationOptions& options) {
+/// Meshes ever finer until the chord is met, which is returned.
+double mesh_model(const TriangulationOptions& options) {
     const double wanted = options.chord > 0.0 ? options.chord : model_diagonal() / 200.0;
+    // What is smaller than the chord by far need not be round: the tip of a cone would get triangles without end.
+    const double least = options.size > 0.0 ? std::min(0.02 * wanted, 0.1 * options.size) : 0.02 * wanted;
     int per_turn = options.per_turn;
     double reached = 0.0;
     for (int attempt = 0; attempt < 10; ++attempt) {
-        generate(options.size, per_turn);
+        generate(options.size, least, per_turn);
         check_meshed();
         reached = largest_chord();
         if (reached <= wanted) {
-            return;
+            return reached;
         }
         const double factor = std::clamp(std::sqrt(reached / wanted), 1.2, 4.0);
         per_turn = static_cast<int>(std::min(1e4, std::ceil(factor * per_turn)));
@@ -292,6 +294,17 @@ private:
     CadTriangulation result_;
 };
 
+CadTriangulation collected(double chord) {
+    CadTriangulation result = Collector().run();
+    result.chord = chord;
+    for (const auto& solid : entities(3)) {
+        double volume = 0;
+        gmsh::model::occ::getMass(3, solid.second, volume);
+        result.volume += volume;
+    }
+    return result;
+}
+
 CadTriangulation read_and_mesh(const std::filesystem::path& file, const TriangulationOptions& options) {
     const detail::GmshSession session;
     return detail::with_gmsh(
@@ -303,8 +316,7 @@ CadTriangulation read_and_mesh(const std::filesystem::path& file, const Triangul
             if (entities(3).size() > 1) {
                 static_cast<void>(detail::imprint_solids(model, populate));
             }
-            mesh_model(options);
-            return Collector().run();
+            return collected(mesh_model(options));
         },
         [&](const std::string& message) { throw Error(ErrorCode::cad_failure, file.string() + ": " + message); });
 }
@@ -340,8 +352,7 @@ CadTriangulation triangulate_solids(const GmshBrep& model, const TriangulationOp
     return detail::with_gmsh(
         [&] {
             const detail::GmshModel::Current current(model.gmsh_model());
-            mesh_model(options);
-            CadTriangulation result = Collector().run();
+            CadTriangulation result = collected(mesh_model(options));
             gmsh::model::mesh::clear();
             return result;
         },

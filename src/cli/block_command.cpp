@@ -1,10 +1,12 @@
 #include "check.hpp"
 #include "commands.hpp"
+#include "output_unit.hpp"
 #include "progress_bar.hpp"
 #include "report_file.hpp"
 
 #include <pavior/block/block_mesh_data.hpp>
 #include <pavior/block/block_solid.hpp>
+#include <pavior/block/surface_distance.hpp>
 #include <pavior/contributions/contributions.hpp>
 #include <pavior/contributions/dual_surfaces.hpp>
 #include <pavior/contributions/regions.hpp>
@@ -13,6 +15,7 @@
 #include <pavior/io/dual_file.hpp>
 #include <pavior/io/mesh_file.hpp>
 #include <pavior/part/block_reference.hpp>
+#include <pavior/part/cad_deviation.hpp>
 
 #include <iostream>
 #include <string>
@@ -34,6 +37,7 @@ BlockOptions block_options(const BlockCommand& command, const Progress& progress
     if (command.size > 0.0) {
         options.refine.emplace();
         options.refine->size = command.size;
+        options.refine->max_angle = command.max_angle;
     }
     return options;
 }
@@ -69,6 +73,7 @@ Json options_json(const BlockCommand& command) {
     Json json{{"marking", command.marking == Marking::sheets ? "sheets" : "published"},
               {"propagation", command.propagation == Propagation::full ? "full" : "stop"},
               {"dualization", command.dualization == Dualization::complex ? "complex" : "contributions"},
+              {"max_angle", command.max_angle},
               {"mu", command.mu}};
     json["size"] = command.size > 0.0 ? Json(command.size) : Json();
     json["feature_angles"] =
@@ -78,6 +83,10 @@ Json options_json(const BlockCommand& command) {
 
 std::vector<std::string> warnings_of(const BlockCommand& command, const SolidBlocks& solid) {
     std::vector<std::string> warnings;
+    if (command.propagation == Propagation::full && solid.report.marking.propagation == Propagation::stop) {
+        warnings.emplace_back(
+            "sheets that all run on to the boundary make no valid blocks: some stop at curves of others");
+    }
     if (command.size > 0.0 && !solid.placement.inverted.empty()) {
         warnings.push_back(std::to_string(solid.placement.inverted.size()) +
                            " blocks are inverted as straight hexahedra; the mesh inside them follows the geometry");
@@ -85,29 +94,50 @@ std::vector<std::string> warnings_of(const BlockCommand& command, const SolidBlo
     return warnings;
 }
 
-void print(const BlockCommand& command, const SolidBlocks& solid, const MeshCheck& check, double seconds) {
+/// From the CAD model, or from the surface that came instead of one.
+CadDeviation deviation_of(const BlockCommand& command, const BlockReference& input, const HexMeshData& data,
+                          const MeshCheck& check) {
+    const TriMesh& surface = input.surface.mesh;
+    CadDeviation result;
+    result.volume = check.verify.volume;
+    result.cad_volume = input.volume ? *input.volume : enclosed_volume(surface.nodes, surface.triangles);
+    result.distance =
+        input.chord + surface_distance(data.mesh.nodes, data.quads, surface.nodes, surface.triangles);
+    result.size = command.size;
+    return result;
+}
+
+void print(const BlockCommand& command, const SolidBlocks& solid, const OutputUnit& unit, const MeshCheck& check,
+           const CadDeviation& deviation, double seconds) {
     const BlockReport& blocks = solid.report.blocks;
     std::string counts = std::to_string(blocks.blocks) + " blocks, " + std::to_string(blocks.nodes()) +
                          " block nodes, " + std::to_string(blocks.sheets) + " sheets";
     if (solid.fine) {
         counts += "; " + counts_of(check);
     }
-    print_summary(command.output, counts, check, seconds);
+    print_summary(command.output + unit.text(), counts, check, deviation, seconds);
 }
 
 /// Writes what may be written and says how it went.
-ExitCode finish(const BlockCommand& command, const BlockReference& input, const SolidBlocks& solid, Json json,
-                double seconds) {
-    const HexMeshData data = block_mesh_data(solid, input.surface, input.cad ? "face " : "tag ");
+ExitCode finish(const BlockCommand& command, const BlockReference& input, const SolidBlocks& solid,
+                const OutputUnit& unit, Json json, double seconds) {
+    HexMeshData data = block_mesh_data(solid, input.surface, input.cad ? "face " : "tag ");
     const MeshCheck check = check_mesh(data.mesh, Execution{command.threads});
-    const std::vector<std::string> warnings = warnings_of(command, solid);
+    const CadDeviation deviation = deviation_of(command, input, data, check);
+    std::vector<std::string> warnings = warnings_of(command, solid);
+    for (std::string& warning : warnings_of(deviation)) {
+        warnings.push_back(std::move(warning));
+    }
     const bool written = check.valid() || command.keep_invalid;
+    json["mesh"] = detail::to_json(data, check);
+    json["unit"] = unit.json();
     if (written) {
+        unit.apply(data);
         write_mesh(command.output, data);
     }
     json["output"] = written ? Json(command.output) : Json();
     json["seconds"] = seconds;
-    json["mesh"] = detail::to_json(data, check);
+    json["deviation"] = detail::to_json(deviation);
     json["warnings"] = warnings;
     json["exit_code"] = static_cast<int>(check.valid() ? exit_valid : exit_invalid);
     write_report(command.report, json);
@@ -117,7 +147,7 @@ ExitCode finish(const BlockCommand& command, const BlockReference& input, const 
         return exit_invalid;
     }
     if (!command.quiet) {
-        print(command, solid, check, seconds);
+        print(command, solid, unit, check, deviation, seconds);
     }
     return exit_valid;
 }
@@ -142,6 +172,7 @@ ExitCode run_block(const BlockCommand& command) {
         throw InputError(ErrorCode::bad_option, "--mu must lie between 0 and 1/4");
     }
     const Stopwatch watch;
+    const OutputUnit unit(command.input, command.unit);
     BlockReference input;
     SolidBlocks solid;
     Json json;
@@ -160,7 +191,7 @@ ExitCode run_block(const BlockCommand& command) {
     if (!solid.report.dual.valid()) {
         refuse(command, solid, std::move(json), seconds);
     }
-    return finish(command, input, solid, std::move(json), seconds);
+    return finish(command, input, solid, unit, std::move(json), seconds);
 }
 
 }  // namespace pavior::cli

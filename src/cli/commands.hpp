@@ -22,6 +22,9 @@ struct SweepCommand {
     std::string input, output;
     double size = 0;  ///< 0: a twelfth of the diagonal of the model
     std::map<int, double> edge_size, face_size, solid_size;
+    double max_angle = 30;  ///< degrees
+    double imprint_tolerance = 0;
+    bool allow_slices = false;
     std::optional<int> layers;
     AffineMethod method = AffineMethod::constrained;
     SweepStrategy strategy = SweepStrategy::direct;
@@ -29,6 +32,7 @@ struct SweepCommand {
     bool smooth = true;
     std::optional<int> source, target;  ///< tags of faces
     unsigned threads = 0;               ///< 0: one a core
+    std::string unit;  ///< of the mesh written; empty: that of the model
     std::string report;
     bool quiet = false;
     bool keep_invalid = false;
@@ -37,7 +41,8 @@ struct SweepCommand {
 /// Options of `pavior block`.
 struct BlockCommand {
     std::string input, output;
-    double size = 0;  ///< 0: blocks only
+    double size = 0;        ///< 0: blocks only
+    double max_angle = 30;  ///< degrees
     Marking marking = Marking::sheets;
     Propagation propagation = Propagation::full;
     Dualization dualization = Dualization::complex;
@@ -45,6 +50,7 @@ struct BlockCommand {
     std::vector<double> feature_angles;  ///< end below, corner above, reversal above; empty: the default
     std::string dual;
     unsigned threads = 0;  ///< 0: one a core
+    std::string unit;  ///< of the mesh written; empty: that of the model
     std::string report;
     bool quiet = false;
     bool keep_invalid = false;
@@ -54,10 +60,14 @@ struct BlockCommand {
 struct MeshCommand {
     std::string input, output;
     double size = 0;                   ///< 0: a twelfth of the diagonal of the model
+    double max_angle = 30;             ///< degrees
+    double imprint_tolerance = 0;
+    bool allow_slices = false;
     std::optional<PartMethod> method;  ///< unset: each in turn
     double timeout = 60;               ///< seconds a solid; 0: no limit
     bool explain = false;
     unsigned threads = 0;  ///< 0: one a core
+    std::string unit;  ///< of the mesh written; empty: that of the model
     std::string report;
     bool quiet = false;
     bool keep_invalid = false;

@@ -50,12 +50,35 @@ void add_choice(CLI::App& app, const std::string& option, T& value, const std::m
     app.add_option_function<std::string>(option, set, help)->check(CLI::IsMember(choices))->type_name(names);
 }
 
+void add_max_angle(CLI::App& app, double& degrees) {
+    app.add_option("--max-angle", degrees,
+                   "curved edges turn by at most so many degrees a mesh edge, whatever the size; 1 to 90, default 30")
+        ->check(CLI::Range(1.0, 90.0));
+}
+
+void add_imprint(CLI::App& app, double& tolerance, bool& allow_slices) {
+    app.add_option("--imprint-tolerance", tolerance,
+                   "solids closer than this are made to touch; default 0: what the file itself takes for touching")
+        ->check(CLI::NonNegativeNumber);
+    app.add_flag("--allow-slices", allow_slices,
+                 "mesh slices thinner than a hundredth of the size that are left where solids cut each other");
+}
+
+void add_unit(CLI::App& app, std::string& unit) {
+    app.add_option("--unit", unit,
+                   "unit of the mesh written; default: that of the model as read (mm for STEP and IGES), which is the "
+                   "unit of all sizes and reports in any case")
+        ->check(CLI::IsMember({"um", "mm", "cm", "dm", "m", "km", "mil", "inch", "foot"}));
+}
+
 void add_sweep(CLI::App& app, SweepCommand& command, std::vector<std::string>& local_sizes) {
     app.add_option("input", command.input, "CAD model (.step .stp .iges .igs .brep) or sweep problem (.json)")
         ->required();
     app.add_option("-o,--output", command.output, "mesh to write (.vtu .vtk .msh .inp)")->required();
     app.add_option("--size", command.size, "length of mesh edges; default: a twelfth of the model's diagonal")
         ->check(CLI::PositiveNumber);
+    add_max_angle(app, command.max_angle);
+    add_imprint(app, command.imprint_tolerance, command.allow_slices);
     app.add_option("--local-size", local_sizes, "other length for one entity: edge:12=0.5, face:3=1, solid:1=2");
     app.add_option("--layers", command.layers, "number of layers in every solid")->check(CLI::Range(1, 1000000));
     add_choice(app, "--method", command.method,
@@ -71,12 +94,13 @@ void add_sweep(CLI::App& app, SweepCommand& command, std::vector<std::string>& l
                {{"idw", BoundaryCorrection::idw},
                 {"harmonic", BoundaryCorrection::harmonic},
                 {"none", BoundaryCorrection::none}},
-               "boundary correction, default idw");
+               "how inner levels and the target cap follow their boundary where no affine map fits it, default idw");
     add_choice(app, "--smooth", command.smooth, {{"auto", true}, {"off", false}},
                "auto (default): move nodes where a cell would be inverted; off: never");
     app.add_option("--source", command.source, "tag of the source face");
     app.add_option("--target", command.target, "tag of the target face");
     app.add_option("--threads", command.threads, "threads, 0: one a core; the mesh does not depend on it");
+    add_unit(app, command.unit);
     app.add_option("--report", command.report, "write a report in JSON");
     app.add_flag("--quiet", command.quiet, "print nothing but errors and warnings");
     app.add_flag("--keep-invalid", command.keep_invalid, "write the mesh even if it is not valid (exit code 1)");
@@ -92,6 +116,7 @@ void add_block(CLI::App& app, BlockCommand& command) {
     app.add_option("--size", command.size,
                    "write a fine mesh on the geometry with edges of this length; default: the blocks themselves")
         ->check(CLI::PositiveNumber);
+    add_max_angle(app, command.max_angle);
     add_choice(
         app, "--marking", command.marking, {{"sheets", Marking::sheets}, {"published", Marking::published}},
         "implicit sheets that cut the tetrahedra (sheets, default), or existing faces, Algorithm 5.12 (published)");
@@ -108,6 +133,7 @@ void add_block(CLI::App& app, BlockCommand& command) {
         ->expected(3);
     app.add_option("--dual", command.dual, "write dual surfaces and regions to look at (.vtu .vtk)");
     app.add_option("--threads", command.threads, "threads, 0: one a core; the blocks do not depend on it");
+    add_unit(app, command.unit);
     app.add_option("--report", command.report, "write a report in JSON");
     app.add_flag("--quiet", command.quiet, "print nothing but errors and warnings");
     app.add_flag("--keep-invalid", command.keep_invalid, "write the mesh even if it is not valid (exit code 1)");
@@ -118,6 +144,8 @@ void add_mesh(CLI::App& app, MeshCommand& command) {
     app.add_option("-o,--output", command.output, "mesh to write (.vtu .vtk .msh .inp)")->required();
     app.add_option("--size", command.size, "length of mesh edges; default: a twelfth of the model's diagonal")
         ->check(CLI::PositiveNumber);
+    add_max_angle(app, command.max_angle);
+    add_imprint(app, command.imprint_tolerance, command.allow_slices);
     const std::map<std::string, std::optional<PartMethod>> methods{
         {"auto", std::nullopt},       {"submap", PartMethod::submap},
         {"sweep", PartMethod::sweep}, {"multi-sweep", PartMethod::multi_sweep},
@@ -132,6 +160,7 @@ void add_mesh(CLI::App& app, MeshCommand& command) {
         ->check(CLI::NonNegativeNumber);
     app.add_flag("--explain", command.explain, "print what was tried, and why it was taken or refused, as a tree");
     app.add_option("--threads", command.threads, "threads, 0: one a core; the mesh does not depend on it");
+    add_unit(app, command.unit);
     app.add_option("--report", command.report, "write a report in JSON");
     app.add_flag("--quiet", command.quiet, "print nothing but errors, warnings and the tree of --explain");
     app.add_flag("--keep-invalid", command.keep_invalid, "write the mesh even if it is not valid (exit code 1)");

@@ -1,5 +1,6 @@
 #include "check.hpp"
 #include "commands.hpp"
+#include "output_unit.hpp"
 #include "progress_bar.hpp"
 #include "report_file.hpp"
 
@@ -123,8 +124,10 @@ Json report_of(const MeshCommand& command, const GmshBrep& model, const PartMesh
     Json json{{"input", command.input}, {"output", Json()}, {"decisions", Json::array()}};
     json["options"] = {{"size", command.size > 0 ? command.size : model.diagonal() / 12},
                        {"method", command.method ? Json(to_string(*command.method)) : Json("auto")},
+                       {"max_angle", command.max_angle},
+                       {"imprint_tolerance", command.imprint_tolerance},
                        {"timeout", command.timeout}};
-    json["warnings"] = Json::array();
+    json["warnings"] = part.warnings;
     for (const PartDecision& decision : part.decisions) {
         json["decisions"].push_back(to_json(model, decision));
         if (decision.taken) {
@@ -165,15 +168,17 @@ ExitCode refuse(const MeshCommand& command, const GmshBrep& model, const PartMes
     return exit_not_meshable;
 }
 
-ExitCode finish(const MeshCommand& command, const GmshBrep& model, const PartMesh& part, Json json,
+ExitCode finish(const MeshCommand& command, const GmshBrep& model, PartMesh& part, const OutputUnit& unit, Json json,
                 const Stopwatch& watch) {
     const bool written = part.valid() || command.keep_invalid;
     if (written) {
+        unit.apply(part.data);
         write_mesh(command.output, part.data);
     }
     json["output"] = written ? Json(command.output) : Json();
     json["seconds"] = watch.total();
     json["mesh"] = detail::to_json(part.data, part.check);
+    json["deviation"] = detail::to_json(part.deviation);
     json["exit_code"] = static_cast<int>(part.valid() ? exit_valid : exit_invalid);
     write_report(command.report, json);
     print_warnings(json["warnings"].get<std::vector<std::string>>());
@@ -189,7 +194,7 @@ ExitCode finish(const MeshCommand& command, const GmshBrep& model, const PartMes
         return exit_invalid;
     }
     if (!command.quiet) {
-        print_summary(command.output, counts_of(part.check), part.check, watch.total());
+        print_summary(command.output + unit.text(), counts_of(part.check), part.check, part.deviation, watch.total());
     }
     return exit_valid;
 }
@@ -204,9 +209,12 @@ ExitCode run_mesh(const MeshCommand& command) {
         throw FileError(command.output, "unknown mesh format; known are .vtu .vtk .msh .inp");
     }
     const Stopwatch watch;
+    const OutputUnit unit(command.input, command.unit);
     ProgressBar bar(command.quiet);
     PartOptions options;
     options.size = command.size;
+    options.max_angle = command.max_angle;
+    options.allow_slices = command.allow_slices;
     options.seconds = command.timeout;
     options.node_entities = false;  // no format of ours holds them
     options.execution = Execution{command.threads};
@@ -215,13 +223,14 @@ ExitCode run_mesh(const MeshCommand& command) {
         options.methods = {*command.method};
     }
     report(options.progress, "reading", 0);
-    const GmshBrep model = GmshBrep::load(command.input);
-    const PartMesh part = mesh_model(model, options);
+    const GmshBrep model = GmshBrep::load(command.input, {.imprint_tolerance = command.imprint_tolerance});
+    PartMesh part = mesh_model(model, options);
     if (command.explain) {
         print_tree(std::cout, model, command, part.decisions);
     }
     Json json = report_of(command, model, part);
-    return part.complete() ? finish(command, model, part, std::move(json), watch)
+    json["unit"] = unit.json();
+    return part.complete() ? finish(command, model, part, unit, std::move(json), watch)
                            : refuse(command, model, part, std::move(json), watch.total());
 }
 

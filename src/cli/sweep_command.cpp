@@ -1,6 +1,7 @@
 #include "../common/file_extension.hpp"
 #include "check.hpp"
 #include "commands.hpp"
+#include "output_unit.hpp"
 #include "progress_bar.hpp"
 #include "report_file.hpp"
 
@@ -11,11 +12,15 @@
 #include <pavior/glpk/solve_program.hpp>
 #include <pavior/io/mesh_file.hpp>
 #include <pavior/io/sweep_problem_file.hpp>
+#include <pavior/math/box.hpp>
 #include <pavior/part/any_model.hpp>
 #include <pavior/part/entity_groups.hpp>
 #include <pavior/part/sweep_solids.hpp>
 #include <pavior/sweep/untangle_sweep.hpp>
 
+#include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,6 +36,7 @@ struct Swept {
     HexMeshData data;
     Json report = Json::object();
     std::vector<std::string> warnings;
+    std::optional<CadDeviation> deviation;  ///< from a CAD model
 };
 
 SweepOptions sweep_options(const SweepCommand& command) {
@@ -40,6 +46,29 @@ SweepOptions sweep_options(const SweepCommand& command) {
     options.correction = command.correction;
     options.execution = Execution{command.threads};
     return options;
+}
+
+/// A sweep of a full turn ends on its own source: the last level becomes the first. Whether it was one.
+bool close_ring(const SweepProblem& problem, HexMesh& mesh) {
+    const std::size_t level = problem.source_nodes.size();
+    constexpr std::size_t fewest_layers = 3;
+    if (problem.layers < fewest_layers || problem.target_nodes.size() != level) {
+        return false;
+    }
+    const double near = 1e-9 * box_round(std::span<const Vec3>(mesh.nodes)).diagonal();
+    for (std::size_t i = 0; i < level; ++i) {
+        if ((problem.target_nodes[i] - problem.source_nodes[i]).norm() > near) {
+            return false;
+        }
+    }
+    const std::size_t last = problem.layers * level;
+    for (HexCorners& hex : mesh.hexes) {
+        for (Index& corner : hex) {
+            corner = static_cast<Index>(corner < last ? corner : corner - last);
+        }
+    }
+    mesh.nodes.resize(last);
+    return true;
 }
 
 Swept sweep_problem_file(const SweepCommand& command, const Progress& progress) {
@@ -59,14 +88,19 @@ Swept sweep_problem_file(const SweepCommand& command, const Progress& progress) 
     HexMesh& mesh = swept.data.mesh;
     mesh.nodes.assign(result.mesh.nodes().begin(), result.mesh.nodes().end());
     mesh.hexes = result.mesh.hexes();
+    swept.report["closed_to_a_ring"] = close_ring(problem, mesh);
     return swept;
 }
 
 Swept sweep_cad_file(const SweepCommand& command, const Progress& progress) {
     report(progress, "reading", 0);
-    const GmshBrep model = GmshBrep::load(command.input);
+    const GmshBrep model = GmshBrep::load(command.input, {.imprint_tolerance = command.imprint_tolerance});
     SweepSolidsOptions options;
     options.intervals.size = command.size > 0 ? command.size : model.diagonal() / 12;
+    if (!command.allow_slices) {
+        refuse_slices(model.imprint_report(), options.intervals.size);
+    }
+    options.intervals.max_angle = command.max_angle;
     options.intervals.edge_size = command.edge_size;
     options.intervals.face_size = command.face_size;
     options.intervals.solid_size = command.solid_size;
@@ -80,7 +114,11 @@ Swept sweep_cad_file(const SweepCommand& command, const Progress& progress) {
     SweptSolids made = sweep_solids(model, solids, options, GlpkSolver{}, GmshCapMesher{&model});
     Swept swept;
     swept.report = detail::to_json(model, made);
-    swept.warnings = std::move(made.warnings);
+    swept.warnings = warnings_of(model.imprint_report());
+    swept.warnings.insert(swept.warnings.end(), made.warnings.begin(), made.warnings.end());
+    report(progress, "comparing", 0.95);
+    swept.deviation = cad_deviation(model, solids, made.mesh.mesh.nodes, made.mesh.quads, made.mesh.quad_face, 0.0,
+                                    options.intervals.size);
     swept.data = grouped(model, solids, std::move(made.mesh));
     return swept;
 }
@@ -100,6 +138,8 @@ void check_options(const SweepCommand& command, bool problem) {
 
 Json options_json(const SweepCommand& command) {
     return {{"size", command.size},
+            {"max_angle", command.max_angle},
+            {"imprint_tolerance", command.imprint_tolerance},
             {"method", to_string(command.method)},
             {"strategy", to_string(command.strategy)},
             {"correction", to_string(command.correction)},
@@ -107,18 +147,27 @@ Json options_json(const SweepCommand& command) {
 }
 
 /// Writes the mesh if it may be written.
-ExitCode finish(const SweepCommand& command, Swept& swept, double seconds) {
+ExitCode finish(const SweepCommand& command, Swept& swept, const OutputUnit& unit, double seconds) {
     const MeshCheck check = check_mesh(swept.data.mesh, Execution{command.threads});
     const bool written = check.valid() || command.keep_invalid;
     if (written) {
+        unit.apply(swept.data);
         write_mesh(command.output, swept.data);
     }
     Json& json = swept.report;
     json["input"] = command.input;
     json["output"] = written ? Json(command.output) : Json();
     json["options"] = options_json(command);
+    json["unit"] = unit.json();
     json["seconds"] = seconds;
     json["mesh"] = detail::to_json(swept.data, check);
+    if (swept.deviation) {
+        swept.deviation->volume = check.verify.volume;
+        json["deviation"] = detail::to_json(*swept.deviation);
+        for (std::string& warning : warnings_of(*swept.deviation)) {
+            swept.warnings.push_back(std::move(warning));
+        }
+    }
     json["warnings"] = swept.warnings;
     json["exit_code"] = static_cast<int>(check.valid() ? exit_valid : exit_invalid);
     write_report(command.report, json);
@@ -128,7 +177,7 @@ ExitCode finish(const SweepCommand& command, Swept& swept, double seconds) {
         return exit_invalid;
     }
     if (!command.quiet) {
-        print_summary(command.output, counts_of(check), check, seconds);
+        print_summary(command.output + unit.text(), counts_of(check), check, swept.deviation, seconds);
     }
     return exit_valid;
 }
@@ -145,11 +194,12 @@ ExitCode run_sweep(const SweepCommand& command) {
     }
     check_options(command, problem);
     const Stopwatch watch;
+    const OutputUnit unit(command.input, command.unit);
     Swept swept = [&] {
         ProgressBar bar(command.quiet);
         return problem ? sweep_problem_file(command, bar.sink()) : sweep_cad_file(command, bar.sink());
     }();
-    return finish(command, swept, watch.total());
+    return finish(command, swept, unit, watch.total());
 }
 
 }  // namespace pavior::cli

@@ -1,5 +1,9 @@
 #include "report_json.hpp"
 
+#include <pavior/part/cad_deviation.hpp>
+
+#include <optional>
+
 namespace pavior::detail {
 
 using Json = nlohmann::json;
@@ -55,6 +59,16 @@ Json to_json(const HexMeshData& data, const MeshCheck& check) {
                                   {"cells", size}});
     }
     return json;
+}
+
+Json to_json(const CadDeviation& deviation) {
+    const auto number = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
+    return {{"volume", deviation.volume},
+            {"cad_volume", number(deviation.cad_volume)},
+            {"relative_volume", number(deviation.relative_volume())},
+            {"distance", number(deviation.distance)},
+            {"distance_in_sizes", number(deviation.distance_in_sizes())},
+            {"size", deviation.size}};
 }
 
 }  // namespace pavior::detail

@@ -13,10 +13,10 @@ using pavior::InputError;
 using pavior::Vec3;
 
 namespace {
-std::vector<pavior::SheetIntervals> intervals(const Case& c, double size) {
+std::vector<pavior::SheetIntervals> intervals(const Case& c, double size, double max_angle = 30) {
     const auto blocks = pavior::dualize(c.mesh, c.topology, c.classes, c.complex);
     const auto geometry = pavior::block_geometry(c.mesh, c.topology, c.complex);
-    return pavior::sheet_intervals(blocks, geometry, pavior::place_blocks(blocks, geometry), size);
+    return pavior::sheet_intervals(blocks, geometry, pavior::place_blocks(blocks, geometry), size, max_angle);
 }
 }  // namespace
 
@@ -46,6 +46,20 @@ TEST_CASE("lengths run along the geometry", "[sheet_intervals]") {
         longest = std::max(longest, sheet.longest);
     }
     CHECK(longest == Approx(2.0).epsilon(1e-2));  // half of an arc of radius 2 and angle 2
+}
+
+TEST_CASE("edges that turn get intervals that do not turn by more than the angle", "[sheet_intervals]") {
+    const Case c = block_cases::grid({40, 2, 2}, {}, [](const Vec3& x) {
+        return Vec3((1 + x[1]) * std::sin(2 * x[0]), (1 + x[1]) * std::cos(2 * x[0]), x[2]);
+    });
+    for (const double angle : {10.0, 30.0, 90.0}) {
+        for (const auto& sheet : intervals(c, 1e3, angle)) {
+            const double half = sheet.turning > 1 ? 57.3 : 0;  // of an arc of angle 2
+            CHECK(sheet.turning == Approx(half).epsilon(0.05).margin(1e-6));
+            CHECK(sheet.intervals == std::max(1.0, std::ceil(half / angle - 0.1)));
+        }
+    }
+    CHECK_THROWS_AS(intervals(c, 1, 0), InputError);
 }
 
 TEST_CASE("without a size there are two intervals, with a great one a single one", "[sheet_intervals]") {

@@ -21,6 +21,8 @@ struct RefineOptions {
     /// Wanted length of the edges of hexahedra, in the unit of the coordinates; <= 0 (default): no wish, two intervals
     /// on every block edge.
     double size = 0.0;
+    /// With a size, edges of blocks on curved geometry turn by at most so many degrees from one interval to the next.
+    double max_angle = 30.0;
     /// One number of intervals a sheet, each >= 1; empty (default): from `size`.
     std::vector<std::uint32_t> intervals = {};
     /// Repair inverted hexahedra by moving inner nodes.

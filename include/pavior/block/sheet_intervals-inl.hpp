@@ -15,9 +15,10 @@
 namespace pavior {
 
 PAVIOR_INLINE std::vector<SheetIntervals> sheet_intervals(const BlockMesh& blocks, const BlockGeometry& geometry,
-                                                          const BlockPlacement& placement, double size) {
-    if (std::isnan(size)) {
-        throw InputError(ErrorCode::bad_option, "the size of hexahedra is not a number");
+                                                          const BlockPlacement& placement, double size,
+                                                          double max_angle) {
+    if (std::isnan(size) || !(max_angle > 0.0)) {
+        throw InputError(ErrorCode::bad_option, "a size that is a number and a positive angle expected");
     }
     const detail::BlockCurves curves(blocks, geometry, placement);
     std::vector<SheetIntervals> sheets(blocks.sheet_count);
@@ -27,11 +28,13 @@ PAVIOR_INLINE std::vector<SheetIntervals> sheet_intervals(const BlockMesh& block
         sheet.shortest = sheet.edges == 0 ? length : std::min(sheet.shortest, length);
         sheet.longest = std::max(sheet.longest, length);
         sheet.mean += length;
+        sheet.turning = std::max(sheet.turning, curves.edge_turning(static_cast<Index>(e)));
         ++sheet.edges;
     }
     for (std::size_t s = 0; s < sheets.size(); ++s) {
         sheets[s].mean /= static_cast<double>(std::max<std::size_t>(sheets[s].edges, 1));
-        const double wanted = size > 0.0 ? std::round(sheets[s].mean / size) : 2.0;
+        const double turns = std::ceil(sheets[s].turning / max_angle - 0.1);
+        const double wanted = size > 0.0 ? std::max(turns, std::round(sheets[s].mean / size)) : 2.0;
         if (!(wanted < 1e9)) {
             throw InputError(ErrorCode::overflow, "sheet " + std::to_string(s) + " would have 10^9 intervals or more",
                              {static_cast<std::int64_t>(s)});

@@ -19,7 +19,7 @@ namespace pavior {
 
 struct MultiSweepOptions {
     double size = 0;        ///< wished length of mesh edges, in the plane and along the direction; must be given
-    double max_angle = 45;  ///< an edge turns by at most this from one interval to the next, degrees
+    double max_angle = 30;  ///< an edge turns by at most this from one interval to the next, degrees
     /// Curves of different levels that run closer than this times `size` share their nodes: columns lean a little
     /// rather than slivers appear. Halved, curve by curve, as often as needed to keep every face.
     double merge = 0.3;

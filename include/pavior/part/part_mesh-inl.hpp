@@ -19,6 +19,9 @@ PAVIOR_INLINE void check_options(const PartOptions& options) {
         }
     };
     check(options.size >= 0 && std::isfinite(options.size), "the size must be positive, or 0 for the default");
+    check(options.max_angle >= 1 && options.max_angle <= 90, "the largest angle must be between 1 and 90 degrees");
+    check(options.imprint_tolerance >= 0 && std::isfinite(options.imprint_tolerance),
+          "the imprint tolerance must be positive, or 0 for none");
     check(options.seconds >= 0, "the time limit must be positive, or 0 for none");
     check_sizes(options.edge_size);
     check_sizes(options.face_size);

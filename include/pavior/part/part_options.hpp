@@ -38,6 +38,13 @@ struct PartOptions {
     /// The same by the names of faces and solids in the file; each must name some. Blocks know one size only: they are
     /// refused where others are asked for.
     std::map<std::string, double> named_size = {};
+    /// Curved edges turn by at most so many degrees from one mesh edge to the next, whatever the size; 1 to 90.
+    double max_angle = 30;
+    /// Of files with several solids: CadOptions::imprint_tolerance. Looked at by mesh_file() alone.
+    double imprint_tolerance = 0;
+    /// Mesh also slices thinner than a hundredth of the size that are left where solids cut each other, which
+    /// mesh_file() and mesh_model() refuse otherwise.
+    bool allow_slices = false;
     /// Tried in this order; empty: all, in the order of PartMethod.
     std::vector<PartMethod> methods = {};
     /// Nothing more is tried once a valid mesh has a least scaled Jacobian of this.

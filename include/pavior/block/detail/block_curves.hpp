@@ -6,8 +6,11 @@
 #include <pavior/block/block_mesh.hpp>
 #include <pavior/block/place_blocks.hpp>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace pavior::detail {
@@ -49,6 +52,27 @@ public:
             last = next;
         }
         return length;
+    }
+
+    /// The angle by which an edge on a chain or patch turns from end to end, degrees: from few pieces, so that the
+    /// facets of the geometry do not count. 0 inside of cells.
+    [[nodiscard]] double edge_turning(Index e) const {
+        constexpr int pieces = 4;
+        if (blocks_.nodes[blocks_.edges[e][1]].dimension > 2) {
+            return 0.0;
+        }
+        double turning = 0.0;
+        Vec3 point = edge_point(e, 0.0);
+        Vec3 last = Vec3::Zero();
+        for (int i = 1; i <= pieces; ++i) {
+            const Vec3 next = edge_point(e, static_cast<double>(i) / pieces);
+            const Vec3 along = next - point;
+            turning += std::atan2(last.cross(along).norm(), last.dot(along));
+            point = next;
+            last = along;
+        }
+        constexpr double degrees_a_radian = 57.29577951308232;
+        return degrees_a_radian * turning * pieces / (pieces - 1.0);  // the ends turn, too
     }
 
     /// The corners of a quad on a patch in the polygon of this.
