@@ -1,5 +1,7 @@
 #include "file_tags.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -128,8 +130,13 @@ Vec3 middle_of(const GmshModel& model, const EdgeData& edge) {
     return x[0];
 }
 
+/// A point of a face, and the unit normal there.
+struct FacePoint {
+    Vec3 x, normal;
+};
+
 /// Points inside a face: on a grid of its parameters, and its own inner point.
-std::vector<Vec3> points_inside(const GmshModel& model, const FaceData& face) {
+std::vector<FacePoint> points_inside(const GmshModel& model, const FaceData& face) {
     std::vector<Vec2> uv{face.interior};
     constexpr int grid = 6;
     for (int i = 1; i < grid; ++i) {
@@ -141,23 +148,31 @@ std::vector<Vec3> points_inside(const GmshModel& model, const FaceData& face) {
         }
     }
     std::vector<Vec3> points(uv.size());
+    std::vector<std::array<Vec3, 2>> derivatives(uv.size());
     model.face_points(face.tag, uv, points);
-    return points;
+    model.face_derivatives(face.tag, uv, derivatives);
+    std::vector<FacePoint> result;
+    for (std::size_t i = 0; i < uv.size(); ++i) {
+        result.push_back({points[i], derivatives[i][0].cross(derivatives[i][1]).normalized()});
+    }
+    return result;
 }
 
-/// The least distance, not 0, of points inside \p face from \p other where their feet are inside that.
-std::optional<double> gap_between(const GmshModel& model, std::span<const Vec3> points, const FaceData& other,
+/// The least distance, not 0, of points of a face from \p other where their feet are inside that and both faces look
+/// across the gap.
+std::optional<double> gap_between(const GmshModel& model, std::span<const FacePoint> points, const FaceData& other,
                                   const EntityBox& box, double near, double zero) {
     std::optional<double> least;
-    for (const Vec3& x : points) {
+    for (const auto& [x, normal] : points) {
         Vec2 uv;
         if (!box.holds(x, near) || !model.project_on_face(other.tag, x, uv) || !model.inside_face(other.tag, uv)) {
             continue;
         }
         std::array<Vec3, 1> foot;
         model.face_points(other.tag, std::array{uv}, foot);
-        const double distance = (foot[0] - x).norm();
-        if (distance > zero && distance <= near && distance < least.value_or(near * 2)) {
+        const Vec3 gap = foot[0] - x;
+        const double distance = gap.norm();
+        if (distance > zero && distance <= near && std::abs(gap.dot(normal)) > 0.9 * distance && distance < least.value_or(near * 2)) {
             least = distance;
         }
     }
@@ -198,7 +213,7 @@ std::vector<SolidGap> gaps_of(const GmshModel& model, const Topology& topology,
         std::size_t solid;
         const FaceData* face;
         EntityBox box;
-        std::vector<Vec3> points;
+        std::vector<FacePoint> points;
     };
     std::vector<int> uses(topology.faces.size(), 0);
     for (const SolidData& solid : topology.solids) {

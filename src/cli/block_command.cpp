@@ -19,6 +19,7 @@
 
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pavior::cli {
@@ -124,7 +125,10 @@ ExitCode finish(const BlockCommand& command, const BlockReference& input, const 
     HexMeshData data = block_mesh_data(solid, input.surface, input.cad ? "face " : "tag ");
     const MeshCheck check = check_mesh(data.mesh, Execution{command.threads});
     const CadDeviation deviation = deviation_of(command, input, data, check);
-    std::vector<std::string> warnings = warnings_of(command, solid);
+    std::vector<std::string> warnings = input.warnings;
+    for (std::string& warning : warnings_of(command, solid)) {
+        warnings.push_back(std::move(warning));
+    }
     for (std::string& warning : warnings_of(deviation)) {
         warnings.push_back(std::move(warning));
     }

@@ -215,6 +215,7 @@ ExitCode run_mesh(const MeshCommand& command) {
     options.size = command.size;
     options.max_angle = command.max_angle;
     options.allow_slices = command.allow_slices;
+    options.imprint_tolerance = command.imprint_tolerance;
     options.seconds = command.timeout;
     options.node_entities = false;  // no format of ours holds them
     options.execution = Execution{command.threads};

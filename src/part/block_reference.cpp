@@ -133,6 +133,7 @@ BlockReference read_block_reference(const std::filesystem::path& file, double si
             result.surface = std::move(model.surface);
             result.chord = model.chord;
             result.volume = model.volume;
+            result.warnings = warnings_of(model.imprint);
             inner_facets = std::move(model.inner_facets);
         } else if (can_read_surface(name)) {
             result.surface = read_surface(name);

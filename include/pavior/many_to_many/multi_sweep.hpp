@@ -23,6 +23,7 @@ struct MultiSweepOptions {
     /// Curves of different levels that run closer than this times `size` share their nodes: columns lean a little
     /// rather than slivers appear. Halved, curve by curve, as often as needed to keep every face.
     double merge = 0.3;
+    double off_face = 0;  ///< boundary nodes may be so far off their faces, beyond 1e-4 times `size`
     double chord = 1e-3;  ///< largest chord error of the polylines of the body, times `size`
     bool smooth = true;   ///< move inner nodes where a hexahedron would be inverted
     Execution execution = sequential;

@@ -18,6 +18,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace pavior {
 
@@ -36,6 +37,7 @@ struct BlockReference {
     bool cad = false;       ///< the surface is that of a CAD model
     double chord = 0;       ///< largest distance of the surface from that of the CAD model
     std::optional<double> volume;  ///< of the CAD model, where it is one
+    std::vector<std::string> warnings;  ///< of a CAD model: overlaps and gaps of its solids
     double read_seconds = 0, tetra_seconds = 0;
 };
 

@@ -40,7 +40,8 @@ struct PartOptions {
     std::map<std::string, double> named_size = {};
     /// Curved edges turn by at most so many degrees from one mesh edge to the next, whatever the size; 1 to 90.
     double max_angle = 30;
-    /// Of files with several solids: CadOptions::imprint_tolerance. Looked at by mesh_file() alone.
+    /// Of files with several solids: CadOptions::imprint_tolerance. mesh_file() reads the file with
+    /// it; volumes and boundary nodes may be as far off as it admits.
     double imprint_tolerance = 0;
     /// Mesh also slices thinner than a hundredth of the size that are left where solids cut each other, which
     /// mesh_file() and mesh_model() refuse otherwise.

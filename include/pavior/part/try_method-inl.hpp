@@ -101,7 +101,8 @@ inline void improve(Trial& trial) {
 }
 
 inline void judge(Trial& trial, const std::function<bool()>& out_of_time) {
-    const JudgeOptions own{trial.options.execution, trial.size(), out_of_time};
+    const bool alone = trial.solids.size() == trial.model.solid_count();
+    const JudgeOptions own{trial.options.execution, trial.size(), trial.options.imprint_tolerance, alone, out_of_time};
     const MeshCheck check = judge_mesh(trial.model, trial.solids, own, trial.result);
     const JudgedMesh judged{&trial.result.data, check, trial.result.deviation};
     trial.describe(&judged);

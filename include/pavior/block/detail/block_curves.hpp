@@ -54,25 +54,20 @@ public:
         return length;
     }
 
-    /// The angle by which an edge on a chain or patch turns from end to end, degrees: from few pieces, so that the
-    /// facets of the geometry do not count. 0 inside of cells.
+    /// The angle by which the geometry turns along an edge, degrees: the tangent of chains, the normal of patches; both
+    /// from few points, so that facets count little. 0 inside of cells.
     [[nodiscard]] double edge_turning(Index e) const {
-        constexpr int pieces = 4;
-        if (blocks_.nodes[blocks_.edges[e][1]].dimension > 2) {
-            return 0.0;
-        }
-        double turning = 0.0;
-        Vec3 point = edge_point(e, 0.0);
-        Vec3 last = Vec3::Zero();
-        for (int i = 1; i <= pieces; ++i) {
-            const Vec3 next = edge_point(e, static_cast<double>(i) / pieces);
-            const Vec3 along = next - point;
-            turning += std::atan2(last.cross(along).norm(), last.dot(along));
-            point = next;
-            last = along;
-        }
+        const auto [low, high] = blocks_.edges[e];
+        const BlockNode& node = blocks_.nodes[high];
         constexpr double degrees_a_radian = 57.29577951308232;
-        return degrees_a_radian * turning * pieces / (pieces - 1.0);  // the ends turn, too
+        if (node.dimension == 1) {
+            return degrees_a_radian * chain_turning(e);
+        }
+        if (node.dimension == 2) {
+            const Vec2 from = chain_place(node.id, blocks_.nodes[low].id);
+            return degrees_a_radian * patch_turning(node.id, from, placement_.parameters[high].head<2>());
+        }
+        return 0.0;
     }
 
     /// The corners of a quad on a patch in the polygon of this.
@@ -89,6 +84,33 @@ public:
     }
 
 private:
+    [[nodiscard]] static double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+    [[nodiscard]] double chain_turning(Index e) const {
+        constexpr int pieces = 4;
+        double turning = 0.0;
+        Vec3 point = edge_point(e, 0.0);
+        Vec3 last = Vec3::Zero();
+        for (int i = 1; i <= pieces; ++i) {
+            const Vec3 next = edge_point(e, static_cast<double>(i) / pieces);
+            turning += angle(last, next - point);
+            last = next - point;
+            point = next;
+        }
+        return turning * pieces / (pieces - 1.0);  // the ends turn, too
+    }
+
+    [[nodiscard]] double patch_turning(Index patch, const Vec2& from, const Vec2& to) const {
+        constexpr double end = 0.15;
+        const Vec2 along = end * (to - from);
+        const Vec2 across(-along[1], along[0]);
+        const auto normal = [&](const Vec2& p) -> Vec3 {
+            const PatchMap& map = geometry_.patches[patch];
+            return (map.at(p + along) - map.at(p - along)).cross(map.at(p + across) - map.at(p - across));
+        };
+        return angle(normal(from + along), normal(to - along)) / (1.0 - 2.0 * end);
+    }
+
     /// Where the node of a chain lies in the polygon of a patch on it.
     [[nodiscard]] Vec2 chain_place(Index patch, Index chain) const {
         const auto& sides = geometry_.patch_sides[patch];

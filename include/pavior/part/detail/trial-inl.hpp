@@ -66,6 +66,7 @@ PAVIOR_INLINE void try_multi_sweep(Trial& trial) {
     MultiSweepOptions own;
     own.size = trial.size();
     own.max_angle = trial.options.max_angle;
+    own.off_face = trial.options.imprint_tolerance;
     own.execution = trial.options.execution;
     BestMultiSweep best =
         multi_sweep_solids(model, trial.solids, own, trial.kernels, trial.out_of_time, local_sizes(trial));
