@@ -3,6 +3,7 @@
 /// A model to hexahedra, each solid by the method that suits it. Files: part/mesh_file.hpp of pavior::part.
 
 #include <pavior/part/any_model.hpp>           // any brep behind one type
+#include <pavior/part/cad_deviation.hpp>       // how far a mesh is from its CAD model
 #include <pavior/part/kernels.hpp>             // the machines of others that mesh_part() takes, in one bundle
 #include <pavior/part/mesh_part.hpp>           // the door: hexahedra for all solids of a model
 #include <pavior/part/mixed_model.hpp>         // some swept, some submapped, beside meshes that are there

@@ -10,6 +10,7 @@ namespace pavior {
 struct GmshBrep::Data {
     detail::GmshModel model;
     detail::Topology topology;
+    ImprintReport report;
 
     [[nodiscard]] const detail::EdgeData& edge(EdgeId id) const { return topology.edges.at(id.index()); }
     [[nodiscard]] const detail::FaceData& face(FaceId id) const { return topology.faces.at(id.index()); }
@@ -36,10 +37,17 @@ struct GmshBrep::Data {
         populate();
         gmsh::vectorpair solids;
         gmsh::model::getEntities(solids, 3);
-        const detail::EntityNames names = options.imprint && solids.size() > 1
-                                              ? detail::imprint_solids(model, populate, file)
-                                              : detail::read_names(file);
+        const bool imprint = options.imprint && solids.size() > 1;
+        detail::SolidPieces pieces;
+        const detail::EntityNames names =
+            imprint ? detail::imprint_solids(model, populate, file, options.imprint_tolerance, &pieces)
+                    : detail::read_names(file);
         topology = detail::read_topology(model);
+        if (imprint) {
+            const double same = 1e-6 * topology.diagonal + options.imprint_tolerance;
+            topology.file_tags = detail::file_tags(model, topology, pieces, populate, same);
+            report = detail::imprint_report(model, topology, pieces, 1e-4 * topology.diagonal);
+        }
         for (detail::FaceData& f : topology.faces) {
             const auto name = names.find({2, f.tag});
             f.name = name == names.end() ? std::string() : name->second;
@@ -139,7 +147,23 @@ Vec2 GmshBrep::edge_on_face(EdgeId edge, double t, FaceId face, bool forward) co
 
 std::array<double, 2> GmshBrep::face_period(FaceId face) const { return data_->face(face).period; }
 
+const ImprintReport& GmshBrep::imprint_report() const { return data_->report; }
+
 int GmshBrep::tag(int dim, std::size_t index) const {
+    if (dim >= 0 && dim <= 3 && !data_->topology.file_tags[3].empty()) {
+        return data_->topology.file_tags[static_cast<std::size_t>(dim)].at(index).front();
+    }
+    return gmsh_tag(dim, index);
+}
+
+std::vector<int> GmshBrep::all_tags(int dim, std::size_t index) const {
+    if (dim >= 0 && dim <= 3 && !data_->topology.file_tags[3].empty()) {
+        return data_->topology.file_tags[static_cast<std::size_t>(dim)].at(index);
+    }
+    return {gmsh_tag(dim, index)};
+}
+
+int GmshBrep::gmsh_tag(int dim, std::size_t index) const {
     switch (dim) {
         case 0: return data_->topology.vertex_tags.at(index);
         case 1: return data_->topology.edges.at(index).tag;

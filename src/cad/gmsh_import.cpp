@@ -2,6 +2,7 @@
 
 #include "../common/child_process.hpp"
 #include "../common/file_extension.hpp"
+#include "gmsh_options.hpp"
 #include "step_names.hpp"
 
 #include <pavior/core/stop.hpp>
@@ -234,22 +235,36 @@ bool point_inside(const GmshModel& model, int tag, Vec3& point) {
 }  // namespace
 
 EntityNames imprint_solids(const GmshModel& model, const std::function<void()>& populate,
-                           const std::filesystem::path& file) {
+                           const std::filesystem::path& file, double tolerance, SolidPieces* pieces_of) {
     const GmshModel::Current current(model);
     const EntityNames before = read_names(file);
     const gmsh::vectorpair solids = entities(3);
     gmsh::vectorpair pieces;
     std::vector<gmsh::vectorpair> map;
-    gmsh::model::occ::fragment(solids, {}, pieces, map);
-    gmsh::model::occ::synchronize();
+    SolidPieces own;
+    for (const auto& solid : solids) {
+        gmsh::model::occ::getMass(3, solid.second, own.volume[solid.second]);
+    }
+    {
+        GmshOptions options;
+        options.set("Geometry.ToleranceBoolean", tolerance);
+        gmsh::model::occ::fragment(solids, {}, pieces, map);
+        gmsh::model::occ::synchronize();
+    }
     EntityNames after;
-    for (std::size_t i = 0; i < solids.size(); ++i) {
-        const auto name = before.find(solids[i]);
-        if (name != before.end()) {
-            for (const auto& piece : map.at(i)) {
-                after.try_emplace(piece, name->second);
+    for (const bool whole : {true, false}) {  // what is all of one solid bears its name, else that of the first
+        for (std::size_t i = 0; i < solids.size(); ++i) {
+            const auto name = before.find(solids[i]);
+            for (const auto& piece : (map.at(i).size() == 1) == whole ? map.at(i) : gmsh::vectorpair{}) {
+                if (name != before.end()) {
+                    after.try_emplace(piece, name->second);
+                }
+                own.pieces[solids[i].second].push_back(piece.second);
             }
         }
+    }
+    if (pieces_of != nullptr) {
+        *pieces_of = std::move(own);
     }
     if (std::any_of(before.begin(), before.end(), [](const auto& entry) { return entry.first.first == 2; })) {
         const GmshModel original;

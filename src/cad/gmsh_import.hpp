@@ -1,6 +1,7 @@
 #pragma once
 // Reading CAD files into Gmsh, safely. Internal to the cad component.
 
+#include "file_tags.hpp"
 #include "gmsh_model.hpp"
 
 #include <filesystem>
@@ -29,10 +30,11 @@ void import_file(const std::filesystem::path& file);
 void try_reading(const std::filesystem::path& file, const std::function<void()>& task, double seconds,
                  const std::stop_token& stop);
 
-/// Intersects the solids of \p model. \p populate fills another model in the same way, for the names of the faces.
-/// \p file is where they come from, if they do. Returns the names after the operation.
+/// Intersects the solids of \p model; what is closer than \p tolerance counts as touching. \p populate fills another
+/// model in the same way, for the names of the faces; \p file is where they come from, if they do. Returns the names
+/// after the operation; \p pieces, if any, gets what became of the solids.
 EntityNames imprint_solids(const GmshModel& model, const std::function<void()>& populate,
-                           const std::filesystem::path& file);
+                           const std::filesystem::path& file, double tolerance = 0, SolidPieces* pieces = nullptr);
 
 /// The names of the current model.
 EntityNames read_names();

@@ -3,6 +3,7 @@
 
 #include <gmsh.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,8 +36,9 @@ private:
 };
 
 /// What every surface mesh of ours wants: linear, reproducible, sized by nothing but \p size (0: without limit) and the
-/// number of elements \p per_turn of 2 pi (0: whatever the curvature).
-inline void set_mesh_options(GmshOptions& options, double size, int per_turn = 0) {
+/// number of elements \p per_turn of 2 pi (0: whatever the curvature), and never below \p least, which must be positive:
+/// at the tip of a cone Gmsh would refine without end.
+inline void set_mesh_options(GmshOptions& options, double size, double least, int per_turn = 0) {
     options.set("General.AbortOnError", 0);  // it throws inside a parallel region, which ends the process
     options.set("General.NumThreads", 1);
     options.set("Mesh.RandomSeed", 1);
@@ -48,8 +50,8 @@ inline void set_mesh_options(GmshOptions& options, double size, int per_turn = 0
     options.set("Mesh.MeshSizeFromPoints", 0);
     options.set("Mesh.MeshSizeFromCurvature", per_turn);
     options.set("Mesh.MeshSizeExtendFromBoundary", 1);
-    options.set("Mesh.MeshSizeMin", 0);
-    options.set("Mesh.MeshSizeMax", size > 0.0 ? size : 1e22);
+    options.set("Mesh.MeshSizeMin", least);
+    options.set("Mesh.MeshSizeMax", size > 0.0 ? std::max(size, least) : 1e22);
 }
 
 }  // namespace pavior::detail

@@ -105,6 +105,13 @@ Vec2 wrapped(const FaceData& face, Vec2 uv) {
         if (!face.closed[k]) {
             continue;
         }
+        const double turns = (uv[d] - face.bounds[0][d]) / face.period[k];
+        if (!std::isfinite(turns)) {
+            continue;
+        }
+        if (std::abs(turns) > 16) {  // steps near a pole lead far off
+            uv[d] -= face.period[k] * std::floor(turns);
+        }
         const double slack = 1e-9 * face.period[k];
         while (uv[d] < face.bounds[0][d] - slack) {
             uv[d] += face.period[k];

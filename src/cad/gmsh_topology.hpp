@@ -57,6 +57,8 @@ struct Topology {
     std::vector<FaceData> faces;
     std::vector<SolidData> solids;
     double diagonal = 0;
+    /// Of solids that were intersected: the tags in the file, by dimension and index. Else empty: the tags above.
+    std::array<std::vector<std::vector<int>>, 4> file_tags;
 };
 
 /// Reads everything that bounds a solid of \p model. Error(cad_failure) or (non_manifold) names what does not fit.

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -38,6 +39,16 @@ void make_region(const PlaneLoops& loops) {
     }
     gmsh::model::geo::addPlaneSurface(curve_loops, 1);
     gmsh::model::geo::synchronize();
+}
+
+double shortest_edge(const PlaneLoops& loops) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+        for (std::size_t i = loops.offsets[l]; i < loops.offsets[l + 1]; ++i) {
+            shortest = std::min(shortest, (loops.points[loops.next(l, i)] - loops.points[i]).norm());
+        }
+    }
+    return std::max(shortest, 1e-12);
 }
 
 /// Elements of the surface in our numbering; false if a node of the boundary is missing.
@@ -112,7 +123,7 @@ std::optional<RawMesh> meshed(const PlaneLoops& loops, double size, const QuadRe
     const Hush hush;
     try {
         GmshOptions options;
-        set_mesh_options(options, size);
+        set_mesh_options(options, size, 0.1 * shortest_edge(loops));
         options.set("Mesh.RandomFactor", 1e-9);
         options.set("Mesh.Algorithm", recipe != nullptr ? recipe->algorithm : 6);
         options.set("Mesh.MeshSizeFactor", recipe != nullptr ? recipe->scale : 1);

@@ -3,6 +3,7 @@
 #include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/core/error.hpp>
 
+#include "../common/child_process.hpp"
 #include "gmsh_import.hpp"
 #include "gmsh_model.hpp"
 #include "gmsh_options.hpp"
@@ -70,14 +71,21 @@ bool is_plane(int face) {
 
 // ---- meshing ------------------------------------------------------------------------------------------------------
 
-void generate(double size, int per_turn) {
+/// A way to ask Gmsh for triangles.
+struct Recipe {
+    int algorithm = 6;      ///< 5 Delaunay, 6 frontal
+    double least = 0.02;    ///< length of an edge, at least, in parts of the chord
+    bool curvature = true;  ///< sizes follow the curvature, else one size holds everywhere
+};
+
+void generate(const Recipe& recipe, double size, double least, int per_turn) {
     detail::GmshOptions options;
-    detail::set_mesh_options(options, size, per_turn);
+    detail::set_mesh_options(options, size, least, per_turn);
     gmsh::model::mesh::clear();
     for (const auto& face : entities(2)) {
         constexpr int initial_only = 3;
-        constexpr int frontal = 6;
-        gmsh::model::mesh::setAlgorithm(2, face.second, size > 0.0 || !is_plane(face.second) ? frontal : initial_only);
+        gmsh::model::mesh::setAlgorithm(
+            2, face.second, size > 0.0 || !is_plane(face.second) ? recipe.algorithm : initial_only);
     }
     gmsh::model::mesh::generate(2);
 }
@@ -145,23 +153,76 @@ void check_meshed() {
     }
 }
 
-/// Meshes ever finer until the chord is met.
-void mesh_model(const TriangulationOptions& options) {
+/// Meshes ever finer until the chord is met, which is returned.
+double mesh_by(const Recipe& recipe, const TriangulationOptions& options) {
     const double wanted = options.chord > 0.0 ? options.chord : model_diagonal() / 200.0;
-    int per_turn = options.per_turn;
+    // What is smaller than the chord by far need not be round: the tip of a cone would get triangles without end.
+    const double edge = recipe.least * wanted;
+    const double least = options.size > 0.0 ? std::min(edge, 0.1 * options.size) : edge;
+    int per_turn = recipe.curvature ? options.per_turn : 0;
+    double size = recipe.curvature ? options.size : 10.0 * wanted;
+    if (!recipe.curvature && options.size > 0.0) {
+        size = std::min(size, options.size);
+    }
     double reached = 0.0;
     for (int attempt = 0; attempt < 10; ++attempt) {
-        generate(options.size, per_turn);
+        generate(recipe, size, least, per_turn);
         check_meshed();
         reached = largest_chord();
         if (reached <= wanted) {
-            return;
+            return reached;
         }
         const double factor = std::clamp(std::sqrt(reached / wanted), 1.2, 4.0);
         per_turn = static_cast<int>(std::min(1e4, std::ceil(factor * per_turn)));
+        size = recipe.curvature ? size : size / factor;
     }
     fail("the distance of triangles from curved faces stays at " + std::to_string(reached) + ", above " +
          std::to_string(wanted));
+}
+
+/// Whether a face has a point where its parameters are degenerate: the tip of a cone, the pole of a sphere.
+bool has_tip(int face) {
+    const std::vector<int> curves = boundary(2, face);
+    return std::any_of(curves.begin(), curves.end(), [](int curve) {
+        std::array<double, 6> box{};
+        gmsh::model::getBoundingBox(1, std::abs(curve), box[0], box[1], box[2], box[3], box[4], box[5]);
+        return Vec3(box[3] - box[0], box[4] - box[1], box[5] - box[2]).norm() < 1e-6 * model_diagonal();
+    });
+}
+
+/// mesh_by() the first recipe that works. At the tips of faces Gmsh may refine for ever: there each recipe is first
+/// tried in a process with a limit of time, far above what it takes where it ends at all.
+double mesh_model(const TriangulationOptions& options) {
+    std::set<int> tips;
+    bool cones = false;
+    for (const auto& face : entities(2)) {
+        if (!is_plane(face.second) && has_tip(face.second)) {
+            std::string kind;
+            gmsh::model::getType(2, face.second, kind);
+            cones = cones || kind == "Cone";
+            tips.insert(face.second);
+        }
+    }
+    const Recipe usual;
+    if (tips.empty()) {
+        return mesh_by(usual, options);
+    }
+    const Recipe delaunay{5, 0.2, true}, even{5, 0.2, false}, even_frontal{6, 0.2, false};
+    std::vector<Recipe> recipes{delaunay, even, even_frontal, usual};
+    if (!cones) {
+        std::rotate(recipes.begin(), recipes.end() - 1, recipes.end());
+    }
+    const double seconds = 6.0 + 0.2 * static_cast<double>(entities(2).size());
+    for (const Recipe& recipe : recipes) {
+        const auto trial = [&] {
+            static_cast<void>(mesh_by(recipe, options));
+            return std::string();
+        };
+        if (detail::run_in_child(trial, {.seconds = seconds}).end == detail::ChildAnswer::End::answered) {
+            return mesh_by(recipe, options);
+        }
+    }
+    fail("Gmsh finds no end to the triangles round the tip or pole", tips);
 }
 
 // ---- reading the mesh ---------------------------------------------------------------------------------------------
@@ -292,6 +353,56 @@ private:
     CadTriangulation result_;
 };
 
+CadTriangulation collected(double chord) {
+    CadTriangulation result = Collector().run();
+    result.chord = chord;
+    for (const auto& solid : entities(3)) {
+        double volume = 0;
+        gmsh::model::occ::getMass(3, solid.second, volume);
+        result.volume += volume;
+    }
+    return result;
+}
+
+/// Tags of the file instead of Gmsh's own after the solids were intersected, and what there is to tell of these.
+void tell_solids(const detail::GmshModel& model, const detail::SolidPieces& pieces,
+                 const std::function<void()>& populate, CadTriangulation& result) {
+    const detail::Topology topology = detail::read_topology(model);
+    const auto tags = detail::file_tags(model, topology, pieces, populate, 1e-6 * topology.diagonal);
+    result.imprint = detail::imprint_report(model, topology, pieces, 1e-4 * topology.diagonal);
+    std::array<std::map<int, int>, 3> in_file;
+    for (std::size_t i = 0; i < topology.vertices.size(); ++i) {
+        in_file[0].emplace(topology.vertex_tags[i], tags[0][i].front());
+    }
+    for (std::size_t i = 0; i < topology.edges.size(); ++i) {
+        in_file[1].emplace(topology.edges[i].tag, tags[1][i].front());
+    }
+    for (std::size_t i = 0; i < topology.faces.size(); ++i) {
+        in_file[2].emplace(topology.faces[i].tag, tags[2][i].front());
+    }
+    const auto rename = [&](std::size_t dim, std::int32_t& tag) {
+        const auto found = in_file[dim].find(tag);
+        tag = found == in_file[dim].end() ? tag : found->second;
+    };
+    for (std::int32_t& tag : result.surface.face_tags) {
+        rename(2, tag);
+    }
+    for (TaggedTriangle& triangle : result.inner_facets) {
+        rename(2, triangle.tag);
+    }
+    for (auto& [tag, name] : std::exchange(result.surface.face_names, {})) {
+        std::int32_t in_the_file = tag;
+        rename(2, in_the_file);
+        result.surface.face_names.emplace(in_the_file, std::move(name));
+    }
+    for (TaggedEdge& edge : result.surface.edges) {
+        rename(1, edge.tag);
+    }
+    for (TaggedNode& vertex : result.surface.vertices) {
+        rename(0, vertex.tag);
+    }
+}
+
 CadTriangulation read_and_mesh(const std::filesystem::path& file, const TriangulationOptions& options) {
     const detail::GmshSession session;
     return detail::with_gmsh(
@@ -300,14 +411,18 @@ CadTriangulation read_and_mesh(const std::filesystem::path& file, const Triangul
             const detail::GmshModel::Current current(model);
             const auto populate = [&] { detail::import_file(file); };
             populate();
+            const bool several = entities(3).size() > 1;
+            detail::SolidPieces pieces;
             const detail::EntityNames names =
-                entities(3).size() > 1 ? detail::imprint_solids(model, populate, file) : detail::read_names(file);
-            mesh_model(options);
-            CadTriangulation result = Collector().run();
+                several ? detail::imprint_solids(model, populate, file, 0.0, &pieces) : detail::read_names(file);
+            CadTriangulation result = collected(mesh_model(options));
             for (const auto& [entity, name] : names) {
                 if (entity.first == 2) {
                     result.surface.face_names[entity.second] = name;
                 }
+            }
+            if (several) {
+                tell_solids(model, pieces, populate, result);
             }
             return result;
         },
@@ -343,8 +458,7 @@ CadTriangulation triangulate_solids(const GmshBrep& model, const TriangulationOp
     return detail::with_gmsh(
         [&] {
             const detail::GmshModel::Current current(model.gmsh_model());
-            mesh_model(options);
-            CadTriangulation result = Collector().run();
+            CadTriangulation result = collected(mesh_model(options));
             gmsh::model::mesh::clear();
             return result;
         },

@@ -1,11 +1,13 @@
 #include "check.hpp"
 #include "commands.hpp"
 #include "output_files.hpp"
+#include "output_unit.hpp"
 #include "progress_bar.hpp"
 
 #include <pavior/block/block_mesh_data.hpp>
 #include <pavior/block/block_solid.hpp>
 #include <pavior/cad/gmsh_brep.hpp>
+#include <pavior/block/surface_distance.hpp>
 #include <pavior/contributions/contributions.hpp>
 #include <pavior/contributions/dual_surfaces.hpp>
 #include <pavior/contributions/regions.hpp>
@@ -15,6 +17,7 @@
 #include <pavior/io/mesh_file.hpp>
 #include <pavior/part/any_model.hpp>
 #include <pavior/part/block_reference.hpp>
+#include <pavior/part/cad_deviation.hpp>
 #include <pavior/part/local_lengths.hpp>
 
 #include <iostream>
@@ -42,6 +45,7 @@ BlockOptions block_options(const BlockCommand& command, const Guard& guard, cons
         options.refine->size = command.size;
         options.refine->curve_size = command.local.edge;
         options.refine->patch_size = command.local.face;
+        options.refine->max_angle = command.max_angle;
     }
     return options;
 }
@@ -119,6 +123,7 @@ Json options_json(const BlockCommand& command) {
     Json json{{"marking", command.marking == Marking::sheets ? "sheets" : "published"},
               {"propagation", command.propagation == Propagation::full ? "full" : "stop"},
               {"dualization", command.dualization == Dualization::complex ? "complex" : "contributions"},
+              {"max_angle", command.max_angle},
               {"mu", command.mu}};
     json["size"] = command.size > 0.0 ? Json(command.size) : Json();
     json["local_sizes"] = lengths_json(command.local);
@@ -130,6 +135,10 @@ Json options_json(const BlockCommand& command) {
 
 std::vector<std::string> warnings_of(const BlockCommand& command, const SolidBlocks& solid) {
     std::vector<std::string> warnings;
+    if (command.propagation == Propagation::full && solid.report.marking.propagation == Propagation::stop) {
+        warnings.emplace_back(
+            "sheets that all run on to the boundary make no valid blocks: some stop at curves of others");
+    }
     if (command.size > 0.0 && !solid.placement.inverted.empty()) {
         warnings.push_back(std::to_string(solid.placement.inverted.size()) +
                            " blocks are inverted as straight hexahedra; the mesh inside them follows the geometry");
@@ -137,30 +146,54 @@ std::vector<std::string> warnings_of(const BlockCommand& command, const SolidBlo
     return warnings;
 }
 
-void print(const BlockCommand& command, const SolidBlocks& solid, const MeshCheck& check, double seconds) {
+/// From the CAD model, or from the surface that came instead of one.
+CadDeviation deviation_of(const BlockCommand& command, const BlockReference& input, const HexMeshData& data,
+                          const MeshCheck& check) {
+    const TriMesh& surface = input.surface.mesh;
+    CadDeviation result;
+    result.volume = check.verify.volume;
+    result.cad_volume = input.volume ? *input.volume : enclosed_volume(surface.nodes, surface.triangles);
+    result.distance =
+        input.chord + surface_distance(data.mesh.nodes, data.quads, surface.nodes, surface.triangles);
+    result.size = command.size;
+    return result;
+}
+
+void print(const BlockCommand& command, const SolidBlocks& solid, const OutputUnit& unit, const MeshCheck& check,
+           const CadDeviation& deviation, double seconds) {
     const BlockReport& blocks = solid.report.blocks;
     std::string counts = std::to_string(blocks.blocks) + " blocks, " + std::to_string(blocks.nodes()) +
                          " block nodes, " + std::to_string(blocks.sheets) + " sheets";
     if (solid.fine) {
         counts += "; " + counts_of(check);
     }
-    print_summary(command.output, counts, check, seconds);
+    print_summary(command.output + unit.text(), counts, check, deviation, seconds);
 }
 
 /// Writes what may be written and says how it went.
-ExitCode finish(const BlockCommand& command, const BlockReference& input, const SolidBlocks& solid, Json json,
-                double seconds, OutputFiles& files) {
-    const HexMeshData data = block_mesh_data(solid, input.surface, input.cad ? "face " : "tag ");
+ExitCode finish(const BlockCommand& command, const BlockReference& input, const SolidBlocks& solid,
+                const OutputUnit& unit, Json json, double seconds, OutputFiles& files) {
+    HexMeshData data = block_mesh_data(solid, input.surface, input.cad ? "face " : "tag ");
     const MeshCheck check = check_mesh(data.mesh, Execution{command.threads});
-    const std::vector<std::string> warnings = warnings_of(command, solid);
+    const CadDeviation deviation = deviation_of(command, input, data, check);
+    std::vector<std::string> warnings = input.warnings;
+    for (std::string& warning : warnings_of(command, solid)) {
+        warnings.push_back(std::move(warning));
+    }
+    for (std::string& warning : warnings_of(deviation)) {
+        warnings.push_back(std::move(warning));
+    }
     const bool written = check.valid() || command.keep_invalid;
+    json["mesh"] = detail::to_json(data, check, written_format(command.output, command.format, written));
+    json["unit"] = unit.json();
     if (written) {
+        unit.apply(data);
         files.write(command.output,
                     [&](const std::string& temporary) { write_mesh(temporary, data, {command.format}); });
     }
     json["output"] = written ? Json(command.output) : Json();
     json["seconds"] = seconds;
-    json["mesh"] = detail::to_json(data, check, written_format(command.output, command.format, written));
+    json["deviation"] = detail::to_json(deviation);
     json["warnings"] = warnings;
     json["exit_code"] = static_cast<int>(check.valid() ? exit_valid : exit_invalid);
     files.write_report(command.report, json);
@@ -171,7 +204,7 @@ ExitCode finish(const BlockCommand& command, const BlockReference& input, const 
         return exit_invalid;
     }
     if (!command.quiet) {
-        print(command, solid, check, seconds);
+        print(command, solid, unit, check, deviation, seconds);
     }
     return exit_valid;
 }
@@ -199,6 +232,7 @@ ExitCode run_block(const BlockCommand& given, Guard& guard) {
     guard.set_limit(given.timeout.value_or(0), late_report(given));
     const Stopwatch watch;
     const BlockCommand command = with_local_sizes(given, guard);
+    const OutputUnit unit(command.input, command.unit);
     BlockReference input;
     SolidBlocks solid;
     Json json;
@@ -224,7 +258,7 @@ ExitCode run_block(const BlockCommand& given, Guard& guard) {
     if (!solid.report.dual.valid()) {
         refuse(command, solid, std::move(json), seconds, files);
     }
-    return finish(command, input, solid, std::move(json), seconds, files);
+    return finish(command, input, solid, unit, std::move(json), seconds, files);
 }
 
 }  // namespace pavior::cli

@@ -71,9 +71,10 @@ std::string counts_of(const MeshCheck& check) {
     return std::to_string(check.hexahedra) + " hexahedra, " + std::to_string(check.nodes) + " nodes";
 }
 
-void print_summary(const std::string& file, const std::string& counts, const MeshCheck& check, double seconds) {
+void print_summary(const std::string& file, const std::string& counts, const MeshCheck& check,
+                   const std::optional<CadDeviation>& deviation, double seconds) {
     std::cout << file << ": " << counts << "; scaled Jacobian min " << check.quality.scaled_jacobian.min << ", mean "
-              << check.quality.scaled_jacobian.mean << "; " << seconds << " s\n";
+              << check.quality.scaled_jacobian.mean << "; " << (deviation ? text_of(*deviation) + "; " : std::string()) << seconds << " s\n";
 }
 
 void print_invalid(const std::string& what, const std::string& faults, bool written) {

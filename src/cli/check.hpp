@@ -4,9 +4,11 @@
 #include "commands.hpp"
 
 #include <pavior/cad/gmsh_brep.hpp>
+#include <pavior/part/cad_deviation.hpp>
 
 #include <functional>
 #include <iosfwd>
+#include <optional>
 
 namespace pavior::cli {
 
@@ -19,8 +21,9 @@ void print_check(std::ostream& out, const HexMeshData& data, const MeshCheck& ch
 /// "12 hexahedra, 34 nodes"
 [[nodiscard]] std::string counts_of(const MeshCheck& check);
 
-/// "...: 12 hexahedra, 34 nodes; scaled Jacobian min 0.5, mean 0.9; 1.2 s"
-void print_summary(const std::string& file, const std::string& counts, const MeshCheck& check, double seconds);
+/// "...: 12 hexahedra, 34 nodes; scaled Jacobian min 0.5, mean 0.9; volume ...; 1.2 s"
+void print_summary(const std::string& file, const std::string& counts, const MeshCheck& check,
+                   const std::optional<CadDeviation>& deviation, double seconds);
 
 /// What is wrong with a mesh, and whether it was written all the same.
 void print_invalid(const std::string& what, const std::string& faults, bool written);

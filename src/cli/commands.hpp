@@ -23,6 +23,8 @@ struct MakeCommand {
     MeshFormat format = MeshFormat::by_extension;
     double size = 0;  ///< 0: the command's default
     LocalLengths local;
+    double max_angle = 30;  ///< degrees
+    std::string unit;               ///< of the mesh written; empty: that of the model
     std::optional<double> timeout;  ///< seconds for the whole program; 0: no limit; unset: the command's default
     double max_hexahedra = 0;       ///< 0: no limit
     unsigned threads = 0;           ///< 0: one a core
@@ -31,8 +33,14 @@ struct MakeCommand {
     bool keep_invalid = false;
 };
 
+/// What the commands that keep solids apart take.
+struct SolidsCommand : MakeCommand {
+    double imprint_tolerance = 0;
+    bool allow_slices = false;
+};
+
 /// Options of `pavior sweep`.
-struct SweepCommand : MakeCommand {
+struct SweepCommand : SolidsCommand {
     std::optional<int> layers;
     AffineMethod method = AffineMethod::constrained;
     SweepStrategy strategy = SweepStrategy::direct;
@@ -52,7 +60,7 @@ struct BlockCommand : MakeCommand {
 };
 
 /// Options of `pavior mesh`.
-struct MeshCommand : MakeCommand {
+struct MeshCommand : SolidsCommand {
     std::optional<PartMethod> method;  ///< unset: each in turn
     bool explain = false;
 };

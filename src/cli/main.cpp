@@ -50,11 +50,11 @@ void add_local_length(const std::string& text, LocalLengths& lengths) {
     }
 }
 
-/// Only finite numbers, from \p least on (above it, if \p open); \p range says so in words.
-CLI::Validator number_from(double least, bool open, const std::string& range) {
+/// Only finite numbers, from \p least on (above it, if \p open) to \p most; \p range says so in words.
+CLI::Validator number_from(double least, bool open, const std::string& range, double most = 1e300) {
     const auto check = [=](const std::string& text) {
         const std::optional<double> value = number_in(text);
-        const bool fits = value && std::isfinite(*value) && (open ? *value > least : *value >= least);
+        const bool fits = value && *value <= most && (open ? *value > least : *value >= least);
         return fits ? std::string() : "\"" + text + "\" is no " + range;
     };
     return CLI::Validator(check, "");
@@ -116,6 +116,13 @@ void add_make(CLI::App& app, MakeCommand& command, const std::string& input, con
            "other length for one entity, by tag or by name: edge:12=0.5, face:3=1, solid:1=2, bolt=0.5")
         ->type_name("ENTITY=H")
         ->allow_extra_args(false);
+    app.add_option("--max-angle", command.max_angle,
+                   "curved edges turn by at most so many degrees a mesh edge, whatever the size; 1 to 90, default 30")
+        ->check(number_from(1, false, "angle from 1 to 90 degrees", 90));
+    app.add_option("--unit", command.unit,
+                   "unit of the mesh written; default: that of the model as read (mm for STEP and IGES), which is the "
+                   "unit of all sizes and reports in any case")
+        ->check(CLI::IsMember({"um", "mm", "cm", "dm", "m", "km", "mil", "inch", "foot"}));
     command.max_hexahedra = hexahedra_in_memory();
     app.add_option("--max-hexahedra", command.max_hexahedra,
                    "refuse sizes that would make more hexahedra than this; default: what half of the memory holds; 0: "
@@ -130,9 +137,18 @@ void add_make(CLI::App& app, MakeCommand& command, const std::string& input, con
     app.add_flag("--keep-invalid", command.keep_invalid, "write the mesh even if it is not valid (exit code 1)");
 }
 
+void add_solids(CLI::App& app, SolidsCommand& command) {
+    app.add_option("--imprint-tolerance", command.imprint_tolerance,
+                   "solids closer than this are made to touch; default 0: what the file itself takes for touching")
+        ->check(number_from(0, false, "number from 0 on"));
+    app.add_flag("--allow-slices", command.allow_slices,
+                 "mesh slices thinner than a hundredth of the size that are left where solids cut each other");
+}
+
 void add_sweep(CLI::App& app, SweepCommand& command) {
     add_make(app, command, "CAD model (.step .stp .iges .igs .brep) or sweep problem (.json)",
              "a twelfth of the model's diagonal", "default: no limit");
+    add_solids(app, command);
     app.add_option("--layers", command.layers, "number of layers in every solid")->check(whole_number(1, 1000000));
     add_choice(app, "--method", command.method,
                {{"constrained", AffineMethod::constrained},
@@ -147,7 +163,7 @@ void add_sweep(CLI::App& app, SweepCommand& command) {
                {{"idw", BoundaryCorrection::idw},
                 {"harmonic", BoundaryCorrection::harmonic},
                 {"none", BoundaryCorrection::none}},
-               "boundary correction, default idw");
+               "how inner levels and the target cap follow their boundary where no affine map fits it, default idw");
     add_choice(app, "--smooth", command.smooth, {{"auto", true}, {"off", false}},
                "auto (default): move nodes where a cell would be inverted; off: never");
     app.add_option("--source", command.source, "tag of the source face")->check(whole_number(1, 999999999));
@@ -181,6 +197,7 @@ void add_block(CLI::App& app, BlockCommand& command) {
 void add_mesh(CLI::App& app, MeshCommand& command) {
     add_make(app, command, "CAD model (.step .stp .iges .igs .brep)", "a twelfth of the model's diagonal",
              "default: 60 for reading and 60 a solid; a method that others follow may use half of what is left");
+    add_solids(app, command);
     const std::map<std::string, std::optional<PartMethod>> methods{
         {"auto", std::nullopt},       {"submap", PartMethod::submap},
         {"sweep", PartMethod::sweep}, {"multi-sweep", PartMethod::multi_sweep},

@@ -1,6 +1,7 @@
 #include "check.hpp"
 #include "commands.hpp"
 #include "output_files.hpp"
+#include "output_unit.hpp"
 #include "progress_bar.hpp"
 
 #include <pavior/cad/gmsh_brep.hpp>
@@ -126,9 +127,11 @@ Json report_of(const MeshCommand& command, const GmshBrep& model, const PartMesh
     Json json{{"input", command.input}, {"output", Json()}, {"decisions", Json::array()}};
     json["options"] = {{"size", command.size > 0 ? command.size : model.diagonal() / 12},
                        {"method", command.method ? Json(to_string(*command.method)) : Json("auto")},
+                       {"max_angle", command.max_angle},
+                       {"imprint_tolerance", command.imprint_tolerance},
                        {"timeout", command.timeout ? Json(*command.timeout) : Json()},
                        {"local_sizes", lengths_json(command.local)}};
-    json["warnings"] = Json::array();
+    json["warnings"] = part.warnings;
     for (const PartDecision& decision : part.decisions) {
         json["decisions"].push_back(to_json(model, decision));
         if (decision.taken) {
@@ -172,16 +175,18 @@ ExitCode refuse(const MeshCommand& command, const GmshBrep& model, const PartMes
     return exit_not_meshable;
 }
 
-ExitCode finish(const MeshCommand& command, const GmshBrep& model, const PartMesh& part, Json json,
+ExitCode finish(const MeshCommand& command, const GmshBrep& model, PartMesh& part, const OutputUnit& unit, Json json,
                 const Stopwatch& watch, OutputFiles& files) {
     const bool written = part.valid() || command.keep_invalid;
+    json["mesh"] = detail::to_json(part.data, part.check, written_format(command.output, command.format, written));
+    json["deviation"] = detail::to_json(part.deviation);
     if (written) {
+        unit.apply(part.data);
         files.write(command.output,
                     [&](const std::string& temporary) { write_mesh(temporary, part.data, {command.format}); });
     }
     json["output"] = written ? Json(command.output) : Json();
     json["seconds"] = watch.total();
-    json["mesh"] = detail::to_json(part.data, part.check, written_format(command.output, command.format, written));
     json["exit_code"] = static_cast<int>(part.valid() ? exit_valid : exit_invalid);
     files.write_report(command.report, json);
     files.commit();
@@ -198,7 +203,7 @@ ExitCode finish(const MeshCommand& command, const GmshBrep& model, const PartMes
         return exit_invalid;
     }
     if (!command.quiet) {
-        print_summary(command.output, counts_of(part.check), part.check, watch.total());
+        print_summary(command.output + unit.text(), counts_of(part.check), part.check, part.deviation, watch.total());
     }
     return exit_valid;
 }
@@ -212,11 +217,15 @@ ExitCode run_mesh(const MeshCommand& command, Guard& guard) {
     static_cast<void>(mesh_format(command.output, command.format));  // refuses what cannot be written
     OutputFiles files(command.input, {command.output, command.report});
     const Stopwatch watch;
+    const OutputUnit unit(command.input, command.unit);
     ProgressBar bar(command.quiet);
     guard.set_limit(command.timeout.value_or(default_seconds), late_report(command));
     PartOptions options;
     options.size = command.size;
     options.local = command.local;
+    options.max_angle = command.max_angle;
+    options.allow_slices = command.allow_slices;
+    options.imprint_tolerance = command.imprint_tolerance;
     options.max_hexahedra = command.max_hexahedra;
     options.node_entities = false;  // no format of ours holds them
     options.execution = Execution{command.threads, guard.stop()};
@@ -225,7 +234,9 @@ ExitCode run_mesh(const MeshCommand& command, Guard& guard) {
         options.methods = {*command.method};
     }
     report(options.progress, "reading", 0);
-    const GmshBrep model = GmshBrep::load(command.input, cad_options(command, guard));
+    CadOptions reading = cad_options(command, guard);
+    reading.imprint_tolerance = command.imprint_tolerance;
+    const GmshBrep model = GmshBrep::load(command.input, reading);
     if (command.timeout) {
         options.seconds = 0;
         options.call_seconds = 0.9 * guard.seconds_left();  // what is left is for the file
@@ -234,14 +245,15 @@ ExitCode run_mesh(const MeshCommand& command, Guard& guard) {
         guard.set_limit(watch.total() + default_seconds * static_cast<double>(model.solid_count() + 1),
                         late_report(command));
     }
-    const PartMesh part = mesh_model(model, options);
+    PartMesh part = mesh_model(model, options);
     check_stop(guard.stop());
     guard.lift_limit();
     if (command.explain) {
         print_tree(std::cout, model, command, part.decisions);
     }
     Json json = report_of(command, model, part);
-    return part.complete() ? finish(command, model, part, std::move(json), watch, files)
+    json["unit"] = unit.json();
+    return part.complete() ? finish(command, model, part, unit, std::move(json), watch, files)
                            : refuse(command, model, part, std::move(json), watch.total(), files);
 }
 

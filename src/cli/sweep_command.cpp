@@ -2,6 +2,7 @@
 #include "check.hpp"
 #include "commands.hpp"
 #include "output_files.hpp"
+#include "output_unit.hpp"
 #include "progress_bar.hpp"
 
 #include <pavior/cad/cap_mesh.hpp>
@@ -11,6 +12,7 @@
 #include <pavior/glpk/solve_program.hpp>
 #include <pavior/io/mesh_file.hpp>
 #include <pavior/io/sweep_problem_file.hpp>
+#include <pavior/math/box.hpp>
 #include <pavior/part/any_model.hpp>
 #include <pavior/part/entity_groups.hpp>
 #include <pavior/part/local_lengths.hpp>
@@ -19,6 +21,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -36,6 +40,7 @@ struct Swept {
     Json report = Json::object();
     std::vector<std::string> warnings;
     double size = 0;  ///< that was used; 0: none was
+    std::optional<CadDeviation> deviation;  ///< from a CAD model
 };
 
 SweepOptions sweep_options(const SweepCommand& command, const Guard& guard) {
@@ -45,6 +50,29 @@ SweepOptions sweep_options(const SweepCommand& command, const Guard& guard) {
     options.correction = command.correction;
     options.execution = Execution{command.threads, guard.stop()};
     return options;
+}
+
+/// A sweep of a full turn ends on its own source: the last level becomes the first. Whether it was one.
+bool close_ring(const SweepProblem& problem, HexMesh& mesh) {
+    const std::size_t level = problem.source_nodes.size();
+    constexpr std::size_t fewest_layers = 3;
+    if (problem.layers < fewest_layers || problem.target_nodes.size() != level) {
+        return false;
+    }
+    const double near = 1e-9 * box_round(std::span<const Vec3>(mesh.nodes)).diagonal();
+    for (std::size_t i = 0; i < level; ++i) {
+        if ((problem.target_nodes[i] - problem.source_nodes[i]).norm() > near) {
+            return false;
+        }
+    }
+    const std::size_t last = problem.layers * level;
+    for (HexCorners& hex : mesh.hexes) {
+        for (Index& corner : hex) {
+            corner = static_cast<Index>(corner < last ? corner : corner - last);
+        }
+    }
+    mesh.nodes.resize(last);
+    return true;
 }
 
 Swept sweep_problem_file(const SweepCommand& command, const Guard& guard, const Progress& progress) {
@@ -67,6 +95,7 @@ Swept sweep_problem_file(const SweepCommand& command, const Guard& guard, const 
     HexMesh& mesh = swept.data.mesh;
     mesh.nodes.assign(result.mesh.nodes().begin(), result.mesh.nodes().end());
     mesh.hexes = result.mesh.hexes();
+    swept.report["closed_to_a_ring"] = close_ring(problem, mesh);
     return swept;
 }
 
@@ -85,11 +114,17 @@ double expected(const GmshBrep& model, std::span<const SolidId> solids, const In
 
 Swept sweep_cad_file(const SweepCommand& command, const Guard& guard, const Progress& progress) {
     report(progress, "reading", 0);
-    const GmshBrep model = GmshBrep::load(command.input, cad_options(command, guard));
+    CadOptions reading = cad_options(command, guard);
+    reading.imprint_tolerance = command.imprint_tolerance;
+    const GmshBrep model = GmshBrep::load(command.input, reading);
     const std::vector<SolidId> solids = all_solids(model);
     const LocalLengths local = lengths_by_tag(model, command.local);
     SweepSolidsOptions options;
     options.intervals.size = command.size > 0 ? command.size : model.diagonal() / 12;
+    if (!command.allow_slices) {
+        refuse_slices(model.imprint_report(), options.intervals.size);
+    }
+    options.intervals.max_angle = command.max_angle;
     options.intervals.edge_size = local.edge;
     options.intervals.face_size = local.face;
     options.intervals.solid_size = local.solid;
@@ -104,7 +139,11 @@ Swept sweep_cad_file(const SweepCommand& command, const Guard& guard, const Prog
     Swept swept;
     swept.size = options.intervals.size;
     swept.report = detail::to_json(model, made);
-    swept.warnings = std::move(made.warnings);
+    swept.warnings = warnings_of(model.imprint_report());
+    swept.warnings.insert(swept.warnings.end(), made.warnings.begin(), made.warnings.end());
+    report(progress, "comparing", 0.95);
+    swept.deviation = cad_deviation(model, solids, made.mesh.mesh.nodes, made.mesh.quads, made.mesh.quad_face, 0.0,
+                                    options.intervals.size);
     swept.data = grouped(model, solids, std::move(made.mesh));
     return swept;
 }
@@ -126,6 +165,8 @@ Json options_json(const SweepCommand& command, double size) {
             {"local_sizes", lengths_json(command.local)},
             {"layers", command.layers ? Json(*command.layers) : Json()},
             {"timeout", command.timeout ? Json(*command.timeout) : Json()},
+            {"max_angle", command.max_angle},
+            {"imprint_tolerance", command.imprint_tolerance},
             {"method", to_string(command.method)},
             {"strategy", to_string(command.strategy)},
             {"correction", to_string(command.correction)},
@@ -133,20 +174,30 @@ Json options_json(const SweepCommand& command, double size) {
 }
 
 /// Writes the mesh if it may be written.
-ExitCode finish(const SweepCommand& command, Swept& swept, Guard& guard, double seconds, OutputFiles& files) {
+ExitCode finish(const SweepCommand& command, Swept& swept, const OutputUnit& unit, Guard& guard, double seconds,
+                OutputFiles& files) {
     const MeshCheck check = check_mesh(swept.data.mesh, Execution{command.threads, guard.stop()});
     guard.lift_limit();
     const bool written = check.valid() || command.keep_invalid;
+    Json& json = swept.report;
+    json["mesh"] = detail::to_json(swept.data, check, written_format(command.output, command.format, written));
     if (written) {
+        unit.apply(swept.data);
         files.write(command.output,
                     [&](const std::string& temporary) { write_mesh(temporary, swept.data, {command.format}); });
     }
-    Json& json = swept.report;
     json["input"] = command.input;
     json["output"] = written ? Json(command.output) : Json();
     json["options"] = options_json(command, swept.size);
+    json["unit"] = unit.json();
     json["seconds"] = seconds;
-    json["mesh"] = detail::to_json(swept.data, check, written_format(command.output, command.format, written));
+    if (swept.deviation) {
+        swept.deviation->volume = check.verify.volume;
+        json["deviation"] = detail::to_json(*swept.deviation);
+        for (std::string& warning : warnings_of(*swept.deviation)) {
+            swept.warnings.push_back(std::move(warning));
+        }
+    }
     json["warnings"] = swept.warnings;
     json["exit_code"] = static_cast<int>(check.valid() ? exit_valid : exit_invalid);
     files.write_report(command.report, json);
@@ -157,7 +208,7 @@ ExitCode finish(const SweepCommand& command, Swept& swept, Guard& guard, double 
         return exit_invalid;
     }
     if (!command.quiet) {
-        print_summary(command.output, counts_of(check), check, seconds);
+        print_summary(command.output + unit.text(), counts_of(check), check, swept.deviation, seconds);
     }
     return exit_valid;
 }
@@ -174,11 +225,12 @@ ExitCode run_sweep(const SweepCommand& command, Guard& guard) {
     OutputFiles files(command.input, {command.output, command.report});
     guard.set_limit(command.timeout.value_or(0), late_report(command));
     const Stopwatch watch;
+    const OutputUnit unit(command.input, command.unit);
     Swept swept = [&] {
         ProgressBar bar(command.quiet);
         return problem ? sweep_problem_file(command, guard, bar.sink()) : sweep_cad_file(command, guard, bar.sink());
     }();
-    return finish(command, swept, guard, watch.total(), files);
+    return finish(command, swept, unit, guard, watch.total(), files);
 }
 
 }  // namespace pavior::cli

@@ -2,6 +2,7 @@
 
 #include <pavior/core/error.hpp>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -121,19 +122,23 @@ private:
 }  // namespace
 
 PolygonSoup read_stl(const std::string& file, std::string_view text) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     // Binary files may begin with "solid", too: their size gives them away, or a byte that no text has.
     const bool fits = text.size() >= header_size &&
                       text.size() == header_size + record_size * std::size_t{little_endian(text.data() + 80)};
-    const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
-    const bool says_solid = text.substr(begin, 5) == "solid" || text.substr(begin, 5) == "SOLID";
-    const bool is_text = says_solid && text.find('\0') == std::string_view::npos;
+    const std::size_t mark = text.substr(0, byte_order_mark.size()) == byte_order_mark ? byte_order_mark.size() : 0;
+    const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n", mark), text.size());
+    std::string word(text.substr(begin, 5));
+    std::transform(word.begin(), word.end(), word.begin(),
+                   [](char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
+    const bool is_text = word == "solid" && text.find('\0') == std::string_view::npos;
     if (fits || (!is_text && text.size() >= header_size)) {
         return read_binary(file, text);
     }
     if (!is_text) {
         throw FileError(file, "is no STL file: neither does it begin with 'solid' nor is it long enough for a header");
     }
-    return AsciiReader(file, text).read();
+    return AsciiReader(file, text.substr(mark)).read();
 }
 
 }  // namespace pavior::io

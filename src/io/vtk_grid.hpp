@@ -18,9 +18,11 @@
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -63,6 +65,31 @@ private:
     vtkLogger::Verbosity before_ = vtkLogger::GetCurrentVerbosityCutoff();
 };
 
+/// What VTK complains about, without the place in its sources and the address of its object.
+inline std::string plain_vtk_message(std::string text) {
+    if (const std::size_t place = text.find("ERROR: In "); place != std::string::npos) {
+        const std::size_t line = text.find('\n', place);
+        text.erase(0, line == std::string::npos ? text.size() : line + 1);
+    }
+    if (const std::size_t object = text.find("): "); text.rfind("vtk", 0) == 0 && object != std::string::npos) {
+        text.erase(0, object + 3);
+    }
+    while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) {
+        text.pop_back();
+    }
+    constexpr std::string_view unread = "Unrecognized keyword: ";
+    if (text.rfind(unread, 0) == 0) {
+        const std::string word = text.substr(unread.size());
+        const std::size_t sign = word.find_first_not_of("+-");
+        const std::string bare = sign == std::string::npos ? word : word.substr(sign);
+        if (bare == "nan" || bare == "inf" || bare == "infinity") {
+            return "a coordinate or value is '" + word + "', which is not finite";
+        }
+        return "'" + word + "' stands where a number or a keyword should";
+    }
+    return text.empty() ? "unknown error" : text;
+}
+
 template <class Process>
 void run_vtk(const std::string& file, Process& process, const char* what) {
     const SilentLog silent;
@@ -71,7 +98,7 @@ void run_vtk(const std::string& file, Process& process, const char* what) {
     process.SetFileName(file.c_str());
     process.Update();
     if (!errors->message.empty()) {
-        throw FileError(file, what + errors->message);
+        throw FileError(file, what + plain_vtk_message(errors->message));
     }
     if (process.GetErrorCode() != 0) {
         throw FileError(file, what + ("VTK error " + std::to_string(process.GetErrorCode())));

@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -103,11 +105,19 @@ BlockReference detail::GmshReferenceMesher::operator()(SolidId solid, double siz
     BlockReference result;
     Stopwatch watch;
     std::vector<int> faces;
+    std::map<std::int32_t, std::int32_t> file_tag;
     for (const OrientedFace& f : model->solid_faces(solid)) {
-        faces.push_back(model->tag(2, f.face.index()));
+        faces.push_back(model->gmsh_tag(2, f.face.index()));
+        file_tag[faces.back()] = model->tag(2, f.face.index());
     }
     result.cad = true;
-    result.surface = part_of(triangulate_for(*model, size).surface, std::move(faces));
+    const CadTriangulation made = triangulate_for(*model, size);
+    result.surface = part_of(made.surface, std::move(faces));
+    for (std::int32_t& tag : result.surface.face_tags) {
+        tag = file_tag.at(tag);
+    }
+    result.chord = made.chord;
+    result.volume = model->solid_volume(solid);
     result.read_seconds = watch.lap();
     result.mesh = make_reference_mesh(tetrahedralize(result.surface), features);
     result.tetra_seconds = watch.lap();
@@ -136,6 +146,9 @@ BlockReference read_block_reference(const std::filesystem::path& file, const Ref
             own.stop = options.stop;
             CadTriangulation model = triangulate_for(file, options.size, own);
             result.surface = std::move(model.surface);
+            result.chord = model.chord;
+            result.volume = model.volume;
+            result.warnings = warnings_of(model.imprint);
             inner_facets = std::move(model.inner_facets);
         } else if (can_read_surface(name)) {
             result.surface = read_surface(name);

@@ -20,7 +20,9 @@ nlohmann::json described(const AnyModel& /*model*/, const SmoothReport& report) 
     return {{"improvement", to_json(report)}};
 }
 nlohmann::json described(const AnyModel& /*model*/, const JudgedMesh& judged) {
-    return {{"mesh", to_json(*judged.data, judged.check)}, {"cad_volume", judged.volume.value_or(0)}};
+    return {{"mesh", to_json(*judged.data, judged.check)},
+            {"cad_volume", judged.deviation.cad_volume.value_or(0)},
+            {"deviation", to_json(judged.deviation)}};
 }
 template <class Report>
 nlohmann::json described(const AnyModel& model, const Report& report) {

@@ -5,10 +5,31 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <optional>
 
 namespace pavior::detail {
 
 using Json = nlohmann::json;
+
+namespace {
+
+Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+std::optional<double> optional_number(const Json& json) {
+    return json.is_null() ? std::nullopt : std::optional(json.get<double>());
+}
+
+Json to_json_numbers(const CadDeviation& deviation) {
+    return {deviation.volume, number_or_null(deviation.cad_volume), number_or_null(deviation.distance),
+            deviation.between, deviation.size};
+}
+
+CadDeviation deviation_of(const Json& json) {
+    return {json[0].get<double>(), optional_number(json[1]), optional_number(json[2]), json[3].get<double>(),
+            json[4].get<double>()};
+}
+
+}  // namespace
 
 std::string to_bytes(const MethodTry& result) {
     const HexMeshData& data = result.data;
@@ -22,6 +43,7 @@ std::string to_bytes(const MethodTry& result) {
               {"warnings", result.warnings},
               {"notes", result.notes},
               {"report", result.report},
+              {"deviation", to_json_numbers(result.deviation)},
               {"groups", Json::array()}};
     for (const MeshGroup& group : data.groups) {
         json["groups"].push_back({group.dimension, group.number, group.name});
@@ -33,6 +55,8 @@ std::string to_bytes(const MethodTry& result) {
     writer.add(data.quads);
     writer.add(data.hex_groups);
     writer.add(data.quad_groups);
+    writer.add(result.hex_solid);
+    writer.add(result.quad_face);
     return writer.take();
 }
 
@@ -52,6 +76,7 @@ MethodTry try_from_bytes(const std::string& bytes) {
     result.warnings = json["warnings"].get<std::vector<std::string>>();
     result.notes = json["notes"].get<std::vector<std::string>>();
     result.report = json["report"];
+    result.deviation = deviation_of(json["deviation"]);
     HexMeshData& data = result.data;
     for (const Json& group : json["groups"]) {
         data.groups.push_back({group[0].get<int>(), group[1].get<int>(), group[2].get<std::string>()});
@@ -61,6 +86,8 @@ MethodTry try_from_bytes(const std::string& bytes) {
     reader.get(data.quads);
     reader.get(data.hex_groups);
     reader.get(data.quad_groups);
+    reader.get(result.hex_solid);
+    reader.get(result.quad_face);
     return result;
 }
 

@@ -11,6 +11,7 @@ using Json = nlohmann::json;
 
 Json marking_json(const SheetReport& report) {
     Json json{{"valid", report.valid},
+              {"propagation", report.propagation == Propagation::full ? "full" : "stop"},
               {"grouping", report.grouping == Grouping::exact ? "exact" : "blended"},
               {"rounds", report.rounds},
               {"tries", report.tries}};
@@ -60,7 +61,8 @@ Json refinement_json(const RefinedBlocks& fine) {
                                   {"edges", sheet.edges},
                                   {"shortest", sheet.shortest},
                                   {"longest", sheet.longest},
-                                  {"mean", sheet.mean}});
+                                  {"mean", sheet.mean},
+                                  {"turning", sheet.turning}});
     }
     return json;
 }
@@ -76,7 +78,7 @@ Json to_json(const BlockReference& input, const SolidBlocks& solid) {
                          {"tetrahedra_cut", solid.reference.tets.size()},
                          {"layer_faces", solid.reference.layers.size()}};
     json["violations"] = violations_json(report.dual);
-    json["blocks"] = blocks_json(solid);
+    json["blocks"] = report.dual.valid() ? blocks_json(solid) : Json();  // there are none of an invalid dual
     if (solid.fine) {
         json["refinement"] = refinement_json(*solid.fine);
     }

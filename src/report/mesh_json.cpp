@@ -1,7 +1,9 @@
 #include "report_json.hpp"
 
 #include <pavior/io/group_names.hpp>
+#include <pavior/part/cad_deviation.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -68,6 +70,16 @@ Json to_json(const HexMeshData& data, const MeshCheck& check, std::optional<Mesh
         json["groups"].push_back(std::move(entry));
     }
     return json;
+}
+
+Json to_json(const CadDeviation& deviation) {
+    const auto number = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
+    return {{"volume", deviation.volume},
+            {"cad_volume", number(deviation.cad_volume)},
+            {"relative_volume", number(deviation.relative_volume())},
+            {"distance", number(deviation.distance)},
+            {"distance_in_sizes", number(deviation.distance_in_sizes())},
+            {"size", deviation.size}};
 }
 
 }  // namespace pavior::detail

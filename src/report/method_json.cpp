@@ -62,6 +62,7 @@ Json to_json(const AnyModel& model, const SweptSolids& swept) {
         if (solid.target_projection) {
             const TargetReport& target = *solid.target_projection;
             entry["target_projection"] = {{"residual", target.residual},
+                                          {"corrected", target.corrected},
                                           {"folded_by_map", target.folded_by_map},
                                           {"folded", target.folded},
                                           {"smooth", to_json(target.smooth)}};

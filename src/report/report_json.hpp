@@ -24,6 +24,7 @@ struct SweptSolids;
 struct SubmappedMesh;
 struct BestMultiSweep;
 struct MixedSolids;
+struct CadDeviation;
 class AnyModel;
 
 namespace detail {
@@ -39,6 +40,9 @@ namespace detail {
 [[nodiscard]] nlohmann::json to_json(const AnyModel& model, const SubmappedMesh& mesh);
 [[nodiscard]] nlohmann::json to_json(const AnyModel& model, const BestMultiSweep& best);
 [[nodiscard]] nlohmann::json to_json(const AnyModel& model, const MixedSolids& mesh);
+
+/// Volumes, distance, and both in parts of what they are measured by; null where unknown.
+[[nodiscard]] nlohmann::json to_json(const CadDeviation& deviation);
 
 /// Number of cells of each group {dimension, number}.
 [[nodiscard]] std::map<std::pair<int, int>, std::size_t> group_sizes(const HexMeshData& data);

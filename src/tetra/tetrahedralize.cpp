@@ -162,6 +162,32 @@ detail::RawTets raw_tets(const std::string& bytes) {
     return raw;
 }
 
+/// Names the flattest triangle of a surface if it is a sliver on which no tetrahedron with a height can stand.
+struct Sliver {
+    std::size_t triangle = 0;
+    double height = 0;
+    double length = 0;  ///< of its longest edge
+
+    [[nodiscard]] bool bad() const { return !(height > 1e-9 * length); }
+};
+
+std::optional<Sliver> sliver_of(const TriMesh& surface) {
+    std::optional<Sliver> worst;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        const TriCorners& c = surface.triangles[t];
+        const std::array<Vec3, 3> x{surface.nodes[c[0]], surface.nodes[c[1]], surface.nodes[c[2]]};
+        Sliver own{t, 0, 0};
+        for (std::size_t k = 0; k < 3; ++k) {
+            own.length = std::max(own.length, (x[(k + 1) % 3] - x[k]).norm());
+        }
+        own.height = (x[1] - x[0]).cross(x[2] - x[0]).norm() / own.length;
+        if (!worst || own.height * worst->length < worst->height * own.length) {
+            worst = own;
+        }
+    }
+    return worst && worst->bad() ? worst : std::nullopt;
+}
+
 /// Runs an engine one way after the other until a mesh has no flat tetrahedron; keeps the best.
 class Attempts {
 public:
@@ -198,12 +224,19 @@ public:
         }
     }
 
-    Assembled result() {
+    Assembled result(const TriMesh& surface) {
         if (best_ && best_->flattest < too_flat) {
             add_reason("otherwise tetrahedra without height");
         }
         if (!best_ || best_->flattest < too_flat) {
-            throw InputError(ErrorCode::tetrahedra_failed, engine_ + " gave up (" + reasons_ + ")");
+            if (const std::optional<Sliver> sliver = sliver_of(surface)) {
+                throw InputError(ErrorCode::tetrahedra_failed,
+                                 "triangle " + std::to_string(sliver->triangle) + " is a sliver, " +
+                                     number(sliver->height) + " high at an edge of length " + number(sliver->length) +
+                                     ": no tetrahedra with a height stand on it",
+                                 {static_cast<std::int64_t>(sliver->triangle)});
+            }
+            throw InputError(ErrorCode::tetrahedra_failed, engine_ + " finds no tetrahedra (" + reasons_ + ")");
         }
         return std::move(*best_);
     }
@@ -242,7 +275,7 @@ Assembled with_tetgen(const Problem& problem, const TetOptions& options) {
     const std::string refine = refinement(options, problem.plc.frame);
     if (options.keep_surface) {
         run_tetgen(attempts, problem, "Y", refine);
-        return attempts.result();
+        return attempts.result(problem.surface->mesh);
     }
     run_tetgen(attempts, detail::merge_coplanar(problem), "", refine);
     if (!attempts.good()) {
@@ -251,7 +284,7 @@ Assembled with_tetgen(const Problem& problem, const TetOptions& options) {
         const double edge = volume > 0.0 ? edge_of_volume(volume) : 1e3;
         run_tetgen(attempts, detail::split_edges(problem, edge), "Y", refine);
     }
-    return attempts.result();
+    return attempts.result(problem.surface->mesh);
 }
 
 Assembled with_cgal(Problem problem, const TetOptions& options) {
@@ -273,7 +306,7 @@ Assembled with_cgal(Problem problem, const TetOptions& options) {
             });
         }
     }
-    return attempts.result();
+    return attempts.result(problem.surface->mesh);
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ std::vector<pavior::SheetIntervals> intervals(const Case& c, const pavior::Block
     return pavior::sheet_intervals(blocks, geometry, pavior::place_blocks(blocks, geometry), lengths);
 }
 
-std::vector<pavior::SheetIntervals> intervals(const Case& c, double size) {
-    return intervals(c, pavior::BlockLengths{size, {}, {}});
+std::vector<pavior::SheetIntervals> intervals(const Case& c, double size, double max_angle = 30) {
+    return intervals(c, pavior::BlockLengths{size, max_angle, {}, {}});
 }
 
 std::vector<std::uint32_t> numbers(const std::vector<pavior::SheetIntervals>& sheets) {
@@ -58,6 +58,20 @@ TEST_CASE("lengths run along the geometry", "[sheet_intervals]") {
     CHECK(longest == Approx(2.0).epsilon(1e-2));  // half of an arc of radius 2 and angle 2
 }
 
+TEST_CASE("edges that turn get intervals that do not turn by more than the angle", "[sheet_intervals]") {
+    const Case c = block_cases::grid({40, 2, 2}, {}, [](const Vec3& x) {
+        return Vec3((1 + x[1]) * std::sin(2 * x[0]), (1 + x[1]) * std::cos(2 * x[0]), x[2]);
+    });
+    for (const double angle : {10.0, 30.0, 90.0}) {
+        for (const auto& sheet : intervals(c, 1e3, angle)) {
+            const double half = sheet.turning > 1 ? 57.3 : 0;  // of an arc of angle 2
+            CHECK(sheet.turning == Approx(half).epsilon(0.05).margin(1));
+            CHECK(sheet.intervals == std::max(1.0, std::ceil(half / angle - 0.1)));
+        }
+    }
+    CHECK_THROWS_AS(intervals(c, 1, 0), InputError);
+}
+
 TEST_CASE("without a size there are two intervals, with a great one a single one", "[sheet_intervals]") {
     const Case c = block_cases::read("ref_pyramid_table58");
     for (const auto& sheet : intervals(c, 0)) {
@@ -86,7 +100,7 @@ TEST_CASE("curves and patches may have lengths of their own", "[sheet_intervals]
     };
     const std::int32_t along = tag_at([](const Vec3& x) { return x[1] == 0 && x[2] == 0; });
     REQUIRE(along >= 0);
-    const pavior::BlockLengths curve{1, {{along, 0.125}}, {}};
+    const pavior::BlockLengths curve{1, 30, {{along, 0.125}}, {}};
     CHECK(numbers(intervals(c, curve)) == std::vector<std::uint32_t>{1, 1, 1, 1, 16, 16});
 
     const auto blocks = pavior::dualize(c.mesh, c.topology, c.classes, c.complex);
@@ -97,10 +111,10 @@ TEST_CASE("curves and patches may have lengths of their own", "[sheet_intervals]
         top = x[2] == 1 ? blocks.nodes[i].geometry.tag : top;
     }
     REQUIRE(top >= 0);
-    const pavior::BlockLengths patch{1, {}, {{top, 0.25}}};
+    const pavior::BlockLengths patch{1, 30, {}, {{top, 0.25}}};
     CHECK(numbers(intervals(c, patch)) == std::vector<std::uint32_t>{1, 1, 4, 4, 8, 8});
-    const pavior::BlockLengths both{1, {{along, 0.125}}, {{top, 0.25}}};  // the curve goes before the patch
+    const pavior::BlockLengths both{1, 30, {{along, 0.125}}, {{top, 0.25}}};  // the curve goes before the patch
     CHECK(numbers(intervals(c, both)) == std::vector<std::uint32_t>{1, 1, 4, 4, 16, 16});
-    CHECK_THROWS_AS(intervals(c, pavior::BlockLengths{1, {{along, 0}}, {}}), InputError);
-    CHECK_THROWS_AS(intervals(c, pavior::BlockLengths{1, {}, {{top, std::nan("")}}}), InputError);
+    CHECK_THROWS_AS(intervals(c, pavior::BlockLengths{1, 30, {{along, 0}}, {}}), InputError);
+    CHECK_THROWS_AS(intervals(c, pavior::BlockLengths{1, 30, {}, {{top, std::nan("")}}}), InputError);
 }

@@ -193,6 +193,15 @@ TEST_CASE("Solids of STL files and groups of OBJ files give their names to their
     CHECK(six.face_names == Names{{1, "bottom"}, {2, "top"}, {3, "s1"}, {4, "s2"}, {5, "s3"}, {6, "s4"}});
 }
 
+TEST_CASE("ASCII STL in any case of letters, also behind a byte-order mark") {
+    std::string text = ascii_stl();
+    text[0] = 'S';
+    check_tetrahedron(read("a.stl", text), false);
+    check_tetrahedron(read("a.stl", "\xEF\xBB\xBF" + ascii_stl()), false);
+    text.replace(0, 5, "sOLid");
+    check_tetrahedron(read("a.stl", " \n" + text), false);
+}
+
 TEST_CASE("Binary STL, also one that begins with solid") {
     check_tetrahedron(read("b.stl", binary_stl()), true);
     check_tetrahedron(read("b.stl", binary_stl("made by hand")), true);

@@ -155,6 +155,7 @@ TEST_CASE("an L is cut into three boxes, also when it is stopped at chains") {
         CHECK(marked.report.valid);
         CHECK(marked.report.blocks == 24);
         CHECK(marked.report.nodes == 63);
+        CHECK(marked.report.propagation == Propagation::full);  // stopped sheets would save no block
         CHECK(marked.report.sheets.size() == 2);
         CHECK(marked.report.layer_sheets.size() == marked.reference.layers.size());
     }

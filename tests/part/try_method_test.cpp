@@ -28,7 +28,7 @@ MethodTry tried(PartMethod method, const TestBrep& b, const std::vector<SolidId>
     const Kernels kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, caps, none};
     PartOptions options;
     options.size = 0.5;
-    return try_method(method, b, solids, options, kernels, [] { return false; });
+    return try_method(method, b, solids, options, kernels, {.out_of_time = [] { return false; }});
 }
 
 }  // namespace

@@ -200,6 +200,28 @@ TEST_CASE("the correction interpolates the loops and reproduces what is affine")
     CHECK((project(surfaces::FlatPlane{}, source, image, options).uv[next] - image(source.uv[next])).norm() < 1e-8);
 }
 
+TEST_CASE("the harmonic correction interpolates the loops too, within their residuals, otherwise than by distances") {
+    const FlatSource source(shapes::grid_cap(8, 8));
+    const auto image = [](const Vec2& p) { return Vec2(p.x() + 0.3 * p.y() * p.y(), p.y() - 0.2 * std::sin(p.x())); };
+    TargetOptions options = plain();
+    const TargetMesh none = project(surfaces::FlatPlane{}, source, image, options);
+    options.correction = TargetCorrection::always;
+    const TargetMesh idw = project(surfaces::FlatPlane{}, source, image, options);
+    options.by = BoundaryCorrection::harmonic;
+    const TargetMesh harmonic = project(surfaces::FlatPlane{}, source, image, options);
+    options.by = BoundaryCorrection::none;
+    CHECK_FALSE(project(surfaces::FlatPlane{}, source, image, options).corrected);
+    CHECK(harmonic.corrected);
+    double apart = 0, moved = 0;
+    for (std::size_t j = 0; j < source.uv.size(); ++j) {
+        apart = std::max(apart, (harmonic.uv[j] - idw.uv[j]).norm());
+        moved = std::max(moved, (harmonic.uv[j] - none.uv[j]).norm());
+    }
+    CHECK(apart > 1e-3);
+    CHECK(moved > 1e-3);
+    CHECK(moved <= none.residual * std::sqrt(2.0) * (1 + 1e-9));
+}
+
 TEST_CASE("convex source, concave target: folded by the affine map, fold-free in the end") {
     const FlatSource source(shapes::grid_cap(12, 12));
     // The top and bottom of the square are pushed in.

@@ -217,10 +217,11 @@ PAVIOR_INLINE RefinedBlocks refine_blocks(const BlockMesh& blocks, const BlockGe
             ErrorCode::size_mismatch, "blocks, geometry and placement do not belong together");
     require(options.intervals.empty() || options.intervals.size() == blocks.sheet_count, ErrorCode::size_mismatch,
             "RefineOptions::intervals: one number a sheet expected");
+    require(options.max_angle > 0.0, ErrorCode::bad_option, "RefineOptions::max_angle must be positive");
     require(std::count(options.intervals.begin(), options.intervals.end(), 0U) == 0 && std::isfinite(options.size),
             ErrorCode::bad_option, "RefineOptions: intervals of 1 or more and a finite size expected");
-    std::vector<SheetIntervals> sheets =
-        sheet_intervals(blocks, geometry, placement, {options.size, options.curve_size, options.patch_size});
+    const BlockLengths lengths{options.size, options.max_angle, options.curve_size, options.patch_size};
+    std::vector<SheetIntervals> sheets = sheet_intervals(blocks, geometry, placement, lengths);
     for (std::size_t s = 0; s < options.intervals.size(); ++s) {
         sheets[s].intervals = options.intervals[s];
     }

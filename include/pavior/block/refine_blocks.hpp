@@ -22,6 +22,8 @@ struct RefineOptions {
     /// Wanted length of the edges of hexahedra, in the unit of the coordinates; <= 0 (default): no wish, two intervals
     /// on every block edge.
     double size = 0.0;
+    /// With a size, edges of blocks on curved geometry turn by at most so many degrees from one interval to the next.
+    double max_angle = 30.0;
     /// Other lengths, by tag of the curve or patch of the geometry; see sheet_intervals().
     std::map<int, double> curve_size = {};
     std::map<int, double> patch_size = {};

@@ -85,9 +85,9 @@ private:
 
 inline void check_lengths(const BlockLengths& lengths) {
     const auto positive = [](const auto& entry) { return entry.second > 0 && std::isfinite(entry.second); };
-    if (std::isnan(lengths.size) || !std::all_of(lengths.curve.begin(), lengths.curve.end(), positive) ||
+    if (std::isnan(lengths.size) || !(lengths.max_angle > 0) || !std::all_of(lengths.curve.begin(), lengths.curve.end(), positive) ||
         !std::all_of(lengths.patch.begin(), lengths.patch.end(), positive)) {
-        throw InputError(ErrorCode::bad_option, "the size of hexahedra is no positive number");
+        throw InputError(ErrorCode::bad_option, "positive sizes and a positive angle expected");
     }
 }
 
@@ -100,19 +100,28 @@ PAVIOR_INLINE std::vector<SheetIntervals> sheet_intervals(const BlockMesh& block
     const detail::BlockCurves curves(blocks, geometry, placement);
     detail::LocalWishes local(blocks, lengths);
     std::vector<SheetIntervals> sheets(blocks.sheet_count);
+    std::vector<std::vector<double>> turnings(blocks.sheet_count);
     for (std::size_t e = 0; e < blocks.edges.size(); ++e) {
         SheetIntervals& sheet = sheets[blocks.sheets[e]];
         const double length = curves.edge_length(static_cast<Index>(e));
         sheet.shortest = sheet.edges == 0 ? length : std::min(sheet.shortest, length);
         sheet.longest = std::max(sheet.longest, length);
         sheet.mean += length;
+        turnings[blocks.sheets[e]].push_back(curves.edge_turning(static_cast<Index>(e)));
         ++sheet.edges;
         local.add(static_cast<Index>(e), length);
     }
     for (std::size_t s = 0; s < sheets.size(); ++s) {
         sheets[s].mean /= static_cast<double>(std::max<std::size_t>(sheets[s].edges, 1));
+        if (std::vector<double>& all = turnings[s]; !all.empty()) {  // a tenth may be crooked ways on rough triangles
+            const auto at = all.end() - 1 - static_cast<std::ptrdiff_t>(all.size() / 10);
+            std::nth_element(all.begin(), at, all.end());
+            sheets[s].turning = *at;
+        }
+        const double turns = std::ceil(sheets[s].turning / lengths.max_angle - 0.1);
         const double own = local.intervals(s);
-        const double wanted = own > 0 ? own : lengths.size > 0.0 ? std::round(sheets[s].mean / lengths.size) : 2.0;
+        const double by_size = own > 0 ? own : lengths.size > 0.0 ? std::round(sheets[s].mean / lengths.size) : 0.0;
+        const double wanted = by_size > 0 || lengths.size > 0.0 ? std::max(turns, by_size) : 2.0;
         if (!(wanted < 1e9)) {
             throw InputError(ErrorCode::overflow, "sheet " + std::to_string(s) + " would have 10^9 intervals or more",
                              {static_cast<std::int64_t>(s)});

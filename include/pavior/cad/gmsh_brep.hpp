@@ -3,6 +3,7 @@
 /// CAD files as a model of the brep concept: Gmsh's interface to OpenCASCADE, behind plain types.
 
 #include <pavior/brep/brep.hpp>
+#include <pavior/cad/imprint_report.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/math/point.hpp>
 
@@ -16,6 +17,7 @@
 #include <stop_token>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace pavior {
 
@@ -26,8 +28,12 @@ class GmshModel;
 /// How a CAD model is read.
 struct CadOptions {
     /// Intersect the solids with each other, so that touching solids share faces, edges and vertices. Overlapping
-    /// solids are split; the common piece becomes a solid of its own that carries the name of the first of them.
+    /// solids are split; the common piece becomes a solid of its own that carries tag and name of the solid that it is
+    /// all of, else those of the first. imprint_report() tells.
     bool imprint = true;
+    /// Vertices, edges and faces of different solids that are closer than this are made one when they are intersected:
+    /// gaps are closed, thin overlaps vanish. In the unit of the model; 0: what the file itself says.
+    double imprint_tolerance = 0;
     /// A file is first read in a child process, so that a crash or an endless loop of the CAD kernel on a damaged file
     /// becomes an error; the child may take this many seconds. 0: read it directly.
     double trial_seconds = 300;
@@ -41,7 +47,7 @@ struct CadOptions {
 ///
 /// Units are those of Gmsh: STEP and IGES lengths in the unit of the file's geometry as OpenCASCADE converts it
 /// (millimetres), since Geometry.OCCTargetUnit is left alone. Ids are dense, in the order of Gmsh's tags; tag() gives
-/// those, which for a file with one solid follow the order of the file. Entities that bound no solid are left out, and
+/// those of the file before its solids were intersected. Entities that bound no solid are left out, and
 /// so are degenerate edges (the pole of a sphere, the apex of a cone): at such a point a loop runs on with the next
 /// edge, and the parameters jump.
 ///
@@ -92,10 +98,18 @@ public:
     [[nodiscard]] Vec2 edge_on_face(EdgeId edge, double t, FaceId face, bool forward) const;
     /// The period in u and v; also of a surface that is closed without being periodic (a spline).
     [[nodiscard]] std::array<double, 2> face_period(FaceId face) const;
-    /// Gmsh's tag of entity \p index of dimension \p dim (0 vertex, 1 edge, 2 face, 3 solid).
+    /// The tag in the file of entity \p index of dimension \p dim (0 vertex, 1 edge, 2 face, 3 solid): the number that
+    /// Gmsh gives it when it reads the file. Pieces of a solid or a face that was cut share its tag; edges and vertices
+    /// have one each, and what the file has not got has a number beyond those.
     [[nodiscard]] int tag(int dim, std::size_t index) const;
+    /// tag(), and where entities of several solids have become one (or overlap) the tags of the others.
+    [[nodiscard]] std::vector<int> all_tags(int dim, std::size_t index) const;
+    /// The tag in gmsh_model().
+    [[nodiscard]] int gmsh_tag(int dim, std::size_t index) const;
+    /// What was found when the solids were intersected; empty for one solid, or without CadOptions::imprint.
+    [[nodiscard]] const ImprintReport& imprint_report() const;
 
-    /// The index of the entity with Gmsh's tag, or nothing.
+    /// The index of the first entity with this tag(), or nothing.
     [[nodiscard]] std::optional<std::size_t> find(int dim, int tag) const;
     /// The label in the file (the last part of a STEP path), else the name of its physical group, else empty. Labels
     /// that OpenCASCADE's writer makes up ("Open CASCADE STEP translator ...") count as none.

@@ -2,6 +2,7 @@
 /// \file
 /// CAD files as triangle surfaces whose triangles, edges and nodes know the faces, curves and vertices they lie on.
 
+#include <pavior/cad/imprint_report.hpp>
 #include <pavior/mesh/tagged_mesh.hpp>
 
 #include <filesystem>
@@ -33,6 +34,9 @@ struct CadTriangulation {
     TaggedSurface surface;
     /// Faces between two solids, seen from the one that comes first.
     std::vector<TaggedTriangle> inner_facets;
+    double chord = 0;   ///< largest distance of edge middles and triangle centres from their faces
+    double volume = 0;  ///< of all solids together, as the model knows it
+    ImprintReport imprint;  ///< of a file with several solids
 };
 
 /// Triangulates the solids of a .step, .stp, .iges, .igs or .brep file with Gmsh's surface mesher: plane faces with the

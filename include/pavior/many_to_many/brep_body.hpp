@@ -2,6 +2,7 @@
 /// \file
 /// Solids of a CAD model that are extrusions, as an extruded body.
 
+#include <pavior/brep/all_tags.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/many_to_many/extruded_body.hpp>
 #include <pavior/many_to_many/extrusion.hpp>
@@ -146,16 +147,16 @@ private:
     }
 
     void add_edge_sizes(FaceId face, SolidId solid) {
-        const auto of_face = sizes_.face.find(b_.tag(2, face.index()));
-        const auto of_solid = sizes_.solid.find(b_.tag(3, solid.index()));
+        const std::optional<double> of_face = size_by_tag(b_, 2, face.index(), sizes_.face);
+        const std::optional<double> of_solid = size_by_tag(b_, 3, solid.index(), sizes_.solid);
         const auto take = [](double& size, double other) { size = size > 0 ? std::min(size, other) : other; };
         for (const EdgeLoop& loop : b_.face_loops(face)) {
             for (const OrientedEdge& use : loop) {
-                if (of_face != sizes_.face.end()) {
-                    take(curve_size_[use.edge.index()].face, of_face->second);
+                if (of_face) {
+                    take(curve_size_[use.edge.index()].face, *of_face);
                 }
-                if (of_solid != sizes_.solid.end()) {
-                    take(curve_size_[use.edge.index()].solid, of_solid->second);
+                if (of_solid) {
+                    take(curve_size_[use.edge.index()].solid, *of_solid);
                 }
             }
         }

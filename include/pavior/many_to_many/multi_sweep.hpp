@@ -19,10 +19,11 @@ namespace pavior {
 
 struct MultiSweepOptions {
     double size = 0;        ///< wished length of mesh edges, in the plane and along the direction; must be given
-    double max_angle = 45;  ///< an edge turns by at most this from one interval to the next, degrees
+    double max_angle = 30;  ///< an edge turns by at most this from one interval to the next, degrees
     /// Curves of different levels that run closer than this times `size` share their nodes: columns lean a little
     /// rather than slivers appear. Halved, curve by curve, as often as needed to keep every face.
     double merge = 0.3;
+    double off_face = 0;  ///< boundary nodes may be so far off their faces, beyond 1e-4 times `size`
     double chord = 1e-3;  ///< largest chord error of the polylines of the body, times `size`
     bool smooth = true;   ///< move inner nodes where a hexahedron would be inverted
     Execution execution = sequential;

@@ -199,7 +199,7 @@ private:
 
     void take(MultiSweptModel mesh, MultiSweepAttempt& attempt) {
         const FaceDistance off = face_distance(b_, mesh.mesh.nodes, mesh.quads, mesh.quad_face);
-        if (off.distance > 1e-4 * options_.size) {
+        if (off.distance > 1e-4 * options_.size + options_.off_face) {
             const int tag = b_.tag(2, mesh.quad_face[off.quad].index());
             throw UnmeshableError(ErrorCode::not_sweepable,
                                   "a node of face " + std::to_string(tag) + " would lie " +

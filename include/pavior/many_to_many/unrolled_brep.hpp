@@ -2,6 +2,7 @@
 /// \file
 /// CAD models seen in coordinates that follow a path.
 
+#include <pavior/brep/all_tags.hpp>
 #include <pavior/brep/edge_mesh.hpp>
 #include <pavior/many_to_many/extrusion.hpp>
 
@@ -10,6 +11,7 @@
 #include <cstddef>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace pavior {
 
@@ -57,6 +59,7 @@ public:
     }
     [[nodiscard]] std::array<double, 2> face_period(FaceId f) const { return b_.face_period(f); }
     [[nodiscard]] int tag(int dim, std::size_t index) const { return b_.tag(dim, index); }
+    [[nodiscard]] std::vector<int> all_tags(int dim, std::size_t index) const { return pavior::all_tags(b_, dim, index); }
 
 private:
     const B& b_;

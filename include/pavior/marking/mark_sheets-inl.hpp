@@ -35,11 +35,25 @@ namespace detail {
     return curves;
 }
 
+/// The tolerance as a length. Where the boundary has shorter edges than some of these it is less, else the walls of a
+/// thin slot would be one surface.
+[[nodiscard]] inline double marking_tolerance(const ReferenceMesh& mesh, double relative, double size) {
+    double shortest = size;
+    for (const TaggedTriangle& triangle : mesh.patches) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            shortest =
+                std::min(shortest, (mesh.nodes[triangle.nodes[(k + 1) % 3]] - mesh.nodes[triangle.nodes[k]]).norm());
+        }
+    }
+    const double tolerance = relative * size;
+    return std::min(tolerance, std::max(0.05 * shortest, 1e-4 * tolerance));
+}
+
 PAVIOR_INLINE SheetMarker::SheetMarker(const ReferenceMesh& mesh, const MarkingOptions& options)
     : mesh_(mesh),
       options_(options),
       size_(box_round(std::span<const Vec3>(mesh.nodes)).extent().norm()),
-      tolerance_(options.tolerance * size_),
+      tolerance_(marking_tolerance(mesh, options.tolerance, size_)),
       topology_(tet_topology(mesh, options.execution)),
       boundary_(front_boundary(mesh, topology_)),
       fronts_(sheet_fronts(mesh, topology_, boundary_, tolerance_)) {}
@@ -49,6 +63,7 @@ PAVIOR_INLINE MarkedMesh SheetMarker::mark(Grouping grouping, const std::vector<
     CutMesh cut{mesh_, {}, {}, options_.execution};
     SheetReport report;
     report.grouping = grouping;
+    report.propagation = propagation;
     if (!mesh_.layers.empty()) {
         report.sheets.push_back({SheetKind::given, {}, 0});
         cut.layer_sheets.assign(mesh_.layers.size(), 0);

@@ -111,6 +111,7 @@ struct SheetReport {
     std::vector<Sheet> sheets;
     std::vector<Index> layer_sheets;      ///< per layer of the reference mesh, its sheet
     Grouping grouping = Grouping::exact;  ///< of the result
+    Propagation propagation = Propagation::full;  ///< of the result, which may differ from what was asked for
     int rounds = 0;                       ///< of repair in the result
     int tries = 0;                        ///< groupings that were tried
 };

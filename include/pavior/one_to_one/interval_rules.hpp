@@ -2,6 +2,7 @@
 /// \file
 /// The rules that sweeps put on the numbers of intervals of a model's edges.
 
+#include <pavior/brep/all_tags.hpp>
 #include <pavior/brep/face_corners.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/intervals/integer_program.hpp>
@@ -31,7 +32,7 @@ struct IntervalOptions {
     std::map<int, int> edge_intervals;  ///< by edge tag: exactly this many
     std::optional<int> layers;          ///< exactly this many layers in every solid
     std::map<int, int> solid_layers;    ///< by solid tag; goes before `layers`
-    double max_angle = 45.0;            ///< an edge turns by at most this from one interval to the next, degrees;
+    double max_angle = 30.0;            ///< an edge turns by at most this from one interval to the next, degrees;
                                         ///< given up where prescribed numbers leave no other way
     int min_loop = 4;                   ///< intervals of a loop of a cap, at least
 };
@@ -105,18 +106,14 @@ private:
 
     /// Registers the edges of a solid and the sizes that its entities ask for.
     void add_edges(SolidId solid) {
-        const auto solid_size = options_.solid_size.find(b_.tag(3, solid.index()));
+        const std::optional<double> solid_size = size_by_tag(b_, 3, solid.index(), options_.solid_size);
         for (const OrientedFace& f : b_.solid_faces(solid)) {
-            const auto face_size = options_.face_size.find(face_tag(f.face));
+            const std::optional<double> face_size = size_by_tag(b_, 2, f.face.index(), options_.face_size);
             for (const EdgeLoop& loop : b_.face_loops(f.face)) {
                 for (const OrientedEdge& use : loop) {
                     const std::size_t at = add_edge(use.edge);
-                    if (face_size != options_.face_size.end()) {
-                        from_faces_[at] = std::min(from_faces_[at], face_size->second);
-                    }
-                    if (solid_size != options_.solid_size.end()) {
-                        from_solids_[at] = std::min(from_solids_[at], solid_size->second);
-                    }
+                    from_faces_[at] = std::min(from_faces_[at], face_size.value_or(no_bound));
+                    from_solids_[at] = std::min(from_solids_[at], solid_size.value_or(no_bound));
                 }
             }
         }
@@ -138,9 +135,7 @@ private:
             double size = std::isfinite(from_faces_[i])    ? from_faces_[i]
                           : std::isfinite(from_solids_[i]) ? from_solids_[i]
                                                            : options_.size;
-            if (const auto own = options_.edge_size.find(edge_tag(edges_[i])); own != options_.edge_size.end()) {
-                size = own->second;
-            }
+            size = size_by_tag(b_, 1, edges_[i].index(), options_.edge_size).value_or(size);
             const double bends = edge_turning(b_, edges_[i]) / options_.max_angle;
             const double wish = std::max({1.0, b_.edge_length(edges_[i]) / size, bends});
             if (wish > 1e5) {

@@ -34,6 +34,7 @@ struct SolidSweepOptions {
 /// What the projection of a source cap onto its target came to (target_projection.hpp).
 struct TargetReport {
     double residual = 0;            ///< of the affine map at the loops, unit of the target's parameters or of space
+    bool corrected = false;         ///< SweepOptions::correction is in
     std::size_t folded_by_map = 0;  ///< quads that the affine map alone folds
     std::vector<Index> folded;      ///< quads still folded
     SmoothReport smooth;
@@ -169,10 +170,12 @@ SolidMesh sweep_solid(const B& b, BoundaryMesh& mesh, const SweepTopology& sweep
     if (mesh.faces[sweep.target.index()].empty()) {
         TargetOptions target_options;
         target_options.untangle = target_options.smooth_repaired = options.smooth;
-        target_options.correction =
-            options.sweep.correction == BoundaryCorrection::none ? TargetCorrection::never : TargetCorrection::always;
+        // Beyond section 4.2.2: the target is corrected as the inner levels are, so that they fit together.
+        target_options.correction = TargetCorrection::always;
+        target_options.by = options.sweep.correction;
         const TargetMesh target = detail::mesh_target(b, mesh, sweep, problem, levels, target_options);
-        result.target = TargetReport{target.residual, target.folded_by_map.size(), target.folded, target.smooth};
+        result.target = TargetReport{target.residual, target.corrected, target.folded_by_map.size(), target.folded,
+                                     target.smooth};
         target_ids = mesh.faces[sweep.target.index()].nodes;
     } else {
         target_ids = detail::match_target(b, mesh, sweep, problem, levels);

@@ -2,6 +2,7 @@
 /// \file
 /// Any brep behind one type, so that what takes it is compiled once.
 
+#include <pavior/brep/all_tags.hpp>
 #include <pavior/brep/brep.hpp>
 #include <pavior/part/model_extras.hpp>
 
@@ -13,6 +14,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace pavior {
 
@@ -51,6 +53,11 @@ public:
     [[nodiscard]] std::array<double, 2> face_period(FaceId f) const { return model_->face_period(f); }
     [[nodiscard]] int tag(int dimension, std::size_t index) const { return model_->tag(dimension, index); }
 
+    /// As the free function of the same name.
+    [[nodiscard]] std::vector<int> all_tags(int dimension, std::size_t index) const {
+        return model_->all_tags(dimension, index);
+    }
+
     /// As plane_of(), is_plane() ("Plane" or nothing), volume_of(), diagonal_of() and name_of() of the model.
     [[nodiscard]] std::optional<FacePlane> face_plane(FaceId f) const { return model_->face_plane(f); }
     [[nodiscard]] std::string face_kind(FaceId f) const { return model_->plane(f) ? "Plane" : ""; }
@@ -83,6 +90,7 @@ private:
         [[nodiscard]] virtual Vec2 edge_on_face(EdgeId e, double t, FaceId f, bool forward) const = 0;
         [[nodiscard]] virtual std::array<double, 2> face_period(FaceId f) const = 0;
         [[nodiscard]] virtual int tag(int dimension, std::size_t index) const = 0;
+        [[nodiscard]] virtual std::vector<int> all_tags(int dimension, std::size_t index) const = 0;
         [[nodiscard]] virtual std::optional<FacePlane> face_plane(FaceId f) const = 0;
         [[nodiscard]] virtual bool plane(FaceId f) const = 0;
         [[nodiscard]] virtual std::optional<double> solid_volume(SolidId s) const = 0;
@@ -116,6 +124,9 @@ private:
         }
         std::array<double, 2> face_period(FaceId f) const override { return b_.face_period(f); }
         int tag(int dimension, std::size_t index) const override { return b_.tag(dimension, index); }
+        std::vector<int> all_tags(int dimension, std::size_t index) const override {
+            return pavior::all_tags(b_, dimension, index);
+        }
         std::optional<FacePlane> face_plane(FaceId f) const override { return plane_of(b_, f); }
         bool plane(FaceId f) const override { return is_plane(b_, f); }
         std::optional<double> solid_volume(SolidId s) const override { return volume_of(b_, s); }

@@ -17,16 +17,22 @@ PAVIOR_INLINE std::vector<MeshGroup> entity_groups(const AnyModel& b, std::span<
     };
     std::vector<MeshGroup> groups;
     std::set<std::size_t> faces;
+    std::set<std::pair<int, int>> known;  // pieces of one entity of the file are one group
+    const auto add = [&](int dimension, int tag, std::string text) {
+        if (known.emplace(dimension, tag).second) {
+            groups.push_back({dimension, tag, std::move(text)});
+        }
+    };
     for (const SolidId solid : solids) {
         const int tag = b.tag(3, solid.index());
-        groups.push_back({3, tag, name(name_of(b, solid), "solid_", tag)});
+        add(3, tag, name(name_of(b, solid), "solid_", tag));
         for (const OrientedFace& face : b.solid_faces(solid)) {
             faces.insert(face.face.index());
         }
     }
     for (const std::size_t f : faces) {
         const int tag = b.tag(2, f);
-        groups.push_back({2, tag, name(name_of(b, FaceId{static_cast<std::int32_t>(f)}), "face_", tag)});
+        add(2, tag, name(name_of(b, FaceId{static_cast<std::int32_t>(f)}), "face_", tag));
     }
     return groups;
 }

@@ -12,7 +12,8 @@
 
 namespace pavior {
 
-/// Names of \p solids and of their faces; numbers are the user's tags. An entity without a name is "solid_3", "face_7".
+/// Names of \p solids and of their faces; numbers are the user's tags, pieces of one entity
+/// of the file one group. An entity without a name is "solid_3", "face_7".
 [[nodiscard]] PAVIOR_INLINE std::vector<MeshGroup> entity_groups(const AnyModel& b, std::span<const SolidId> solids);
 
 /// \p mesh with its groups, its quads turned outward (turn_quads_outward()).

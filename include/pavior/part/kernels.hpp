@@ -11,12 +11,14 @@
 #include <pavior/mesh/mesh_check.hpp>
 #include <pavior/mesh/tagged_mesh.hpp>
 #include <pavior/one_to_one/cap_boundary.hpp>
+#include <pavior/part/cad_deviation.hpp>
 
 #include <concepts>
 #include <functional>
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace pavior {
 
@@ -33,6 +35,9 @@ struct BlockReference {
     ReferenceMesh mesh;
     TaggedSurface surface;  ///< tags of its triangles are those of the faces of the model, where it has tags
     bool cad = false;       ///< the surface is that of a CAD model
+    double chord = 0;       ///< largest distance of the surface from that of the CAD model
+    std::optional<double> volume;  ///< of the CAD model, where it is one
+    std::vector<std::string> warnings;  ///< of a CAD model: overlaps and gaps of its solids
     double read_seconds = 0, tetra_seconds = 0;
 };
 
@@ -47,7 +52,7 @@ concept reference_mesher = requires(M& make, SolidId solid, double size, const F
 struct JudgedMesh {
     const HexMeshData* data;
     MeshCheck check;
-    std::optional<double> volume;  ///< of the solids, where the model knows it
+    CadDeviation deviation;
 };
 
 /// What a method says of its own work, and what follows on it; none is null.

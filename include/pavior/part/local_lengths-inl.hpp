@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pavior/brep/all_tags.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/part/local_lengths.hpp>
 #include <pavior/part/model_extras.hpp>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -17,6 +19,12 @@ namespace pavior {
 namespace detail {
 
 [[noreturn]] inline void refuse_length(const std::string& text) { throw InputError(ErrorCode::bad_option, text); }
+
+inline void append_tags(const AnyModel& b, int dimension, std::size_t index, std::vector<int>& tags) {
+    for (const int tag : all_tags(b, dimension, index)) {
+        tags.push_back(tag);
+    }
+}
 
 /// Every tag of \p lengths is one of \p known.
 inline void check_tags(const std::map<int, double>& lengths, std::vector<int> known, const std::string& kind) {
@@ -49,18 +57,18 @@ PAVIOR_INLINE LocalLengths lengths_by_tag(const AnyModel& b, const LocalLengths&
     check(lengths.named);
     std::vector<int> edges;
     for (std::size_t e = 0; e < b.edge_count(); ++e) {
-        edges.push_back(b.tag(1, e));
+        detail::append_tags(b, 1, e, edges);
     }
     std::vector<int> faces;
     std::map<std::string, std::vector<int>> faces_called, solids_called;
-    for (const auto& [tag, face] : faces_by_tag(b)) {
-        faces.push_back(tag);
-        faces_called[name_of(b, face)].push_back(tag);
+    for (std::size_t f = 0; f < b.face_count(); ++f) {
+        detail::append_tags(b, 2, f, faces);
+        faces_called[name_of(b, FaceId{static_cast<std::int32_t>(f)})].push_back(b.tag(2, f));
     }
     std::vector<int> solids;
     for (const SolidId s : all_solids(b)) {
-        solids.push_back(b.tag(3, s.index()));
-        solids_called[name_of(b, s)].push_back(solids.back());
+        detail::append_tags(b, 3, s.index(), solids);
+        solids_called[name_of(b, s)].push_back(b.tag(3, s.index()));
     }
     detail::check_tags(lengths.edge, std::move(edges), "edge");
     detail::check_tags(lengths.face, std::move(faces), "face");
@@ -83,8 +91,7 @@ PAVIOR_INLINE double expected_hexahedra(const AnyModel& b, std::span<const Solid
                                         const std::map<int, double>& solid_size) {
     double sum = 0;
     for (const SolidId s : solids) {
-        const auto own = solid_size.find(b.tag(3, s.index()));
-        const double length = own == solid_size.end() ? size : own->second;
+        const double length = size_by_tag(b, 3, s.index(), solid_size).value_or(size);
         sum += volume_of(b, s).value_or(0) / (length * length * length);
     }
     return sum;

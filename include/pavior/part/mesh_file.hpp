@@ -19,7 +19,9 @@ class GmshBrep;
 /// else uses Gmsh (pavior::cad, your own code) must not run meanwhile. POSIX alone (fork).
 /// MethodTry::report is a JSON object: the method's own reports, "mesh" (counts, faults, quality, groups),
 /// "cad_volume".
-/// \throws FileError for what cannot be read; InputError bad_option; Stopped
+/// Overlaps and gaps of solids are told in PartMesh::warnings.
+/// \throws FileError for what cannot be read; UnmeshableError cad_failure for slices (refuse_slices()) unless
+/// PartOptions::allow_slices; InputError bad_option; Stopped
 [[nodiscard]] PartMesh mesh_file(const std::filesystem::path& file, const PartOptions& options = {});
 
 /// The same for a model that is there already. The caller sees to it that nothing else uses Gmsh meanwhile.

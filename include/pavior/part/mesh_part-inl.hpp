@@ -22,24 +22,6 @@ namespace pavior {
 
 namespace detail {
 
-/// node_entities() of a mesh whose groups are tags of the entities of \p b.
-[[nodiscard]] inline NodeEntities entities_of(const AnyModel& b, const HexMeshData& data) {
-    std::map<int, SolidId> solid;
-    for (const SolidId s : all_solids(b)) {
-        solid.emplace(b.tag(3, s.index()), s);
-    }
-    const std::map<int, FaceId> face = faces_by_tag(b);
-    std::vector<SolidId> hex_solid;
-    for (const int tag : data.hex_groups) {
-        hex_solid.push_back(solid.at(tag));
-    }
-    std::vector<FaceId> quad_face;
-    for (const int tag : data.quad_groups) {
-        quad_face.push_back(face.at(tag));
-    }
-    return node_entities(b, data.mesh.nodes, data.mesh.hexes, hex_solid, data.quads, quad_face);
-}
-
 /// \p options for a group of which with those after it \p solids are left, so many seconds after the call began.
 [[nodiscard]] inline PartOptions within_call(PartOptions options, double seconds, std::size_t solids) {
     if (options.call_seconds > 0) {
@@ -73,9 +55,15 @@ PAVIOR_INLINE PartMesh mesh_groups(const AnyModel& b, const PartOptions& given, 
             return attempt(method, group, own, seconds);
         }));
     }
+    bool first = true;
     for (PartDecision& decision : result.decisions) {
         if (decision.taken) {
-            HexMeshData part = std::exchange(decision.tries[*decision.taken].data, {});
+            const CadDeviation& own = decision.tries[*decision.taken].deviation;
+            result.deviation = std::exchange(first, false) ? own : result.deviation + own;
+            MethodTry& taken = decision.tries[*decision.taken];
+            HexMeshData part = std::exchange(taken.data, {});
+            result.hex_solid.insert(result.hex_solid.end(), taken.hex_solid.begin(), taken.hex_solid.end());
+            result.quad_face.insert(result.quad_face.end(), taken.quad_face.begin(), taken.quad_face.end());
             append_mesh(part.mesh, part.quads, result.data.mesh, result.data.quads);
             result.data.hex_groups.insert(result.data.hex_groups.end(), part.hex_groups.begin(), part.hex_groups.end());
             result.data.quad_groups.insert(result.data.quad_groups.end(), part.quad_groups.begin(),
@@ -85,7 +73,9 @@ PAVIOR_INLINE PartMesh mesh_groups(const AnyModel& b, const PartOptions& given, 
     result.data.groups = entity_groups(b, solids);
     result.check = check_mesh(result.data.mesh, options.execution);
     if (options.node_entities && result.valid()) {
-        result.entities = entities_of(b, result.data);
+        const HexMeshData& data = result.data;
+        result.entities = node_entities(b, data.mesh.nodes, data.mesh.hexes, result.hex_solid, data.quads,
+                                        result.quad_face);
     }
     result.seconds = watch.total();
     report(options.progress, "done", 1);
@@ -100,7 +90,8 @@ PAVIOR_INLINE PartMesh mesh_part(const AnyModel& model, const PartOptions& optio
         [&](PartMethod method, std::span<const SolidId> solids, const PartOptions& own, double seconds) {
             const Stopwatch watch;
             return try_method(method, model, solids, own, kernels,
-                              [&] { return seconds > 0 && watch.total() > 0.7 * seconds; });
+                              {.out_of_time = [&] { return seconds > 0 && watch.total() > 0.7 * seconds; },
+                               .no_time_to_check = [&] { return seconds > 0 && watch.total() > seconds; }});
         });
 }
 

@@ -62,6 +62,7 @@ inline void add_mixed(const AnyModel& b, std::span<const SolidWays> ways, Bounda
     }
     IntervalOptions wishes;
     wishes.size = options.size;
+    wishes.max_angle = options.max_angle;
     wishes.min_loop = options.min_loop;
     wishes.edge_size = options.sizes.edge;
     wishes.face_size = options.sizes.face;
@@ -95,6 +96,7 @@ PAVIOR_INLINE MixedSolids mixed_solids(const AnyModel& b, std::span<const SolidI
     std::erase_if(ways, [](const SolidWays& way) { return way.only_multi_sweep(); });
     MultiSweepOptions sweep;
     sweep.size = options.size;
+    sweep.max_angle = options.max_angle;
     sweep.execution = options.execution;
     MixedSolids base;
     for (const std::vector<SolidId>& group : touching_solids(b, many)) {

@@ -7,6 +7,7 @@
 #include <pavior/core/compiled.hpp>
 #include <pavior/mesh/grouped_mesh.hpp>
 #include <pavior/mesh/mesh_check.hpp>
+#include <pavior/part/cad_deviation.hpp>
 #include <pavior/part/part_options.hpp>
 
 #include <algorithm>
@@ -51,8 +52,11 @@ struct MethodTry {
     double seconds = 0;
     /// Of outcomes mesh and invalid, dropped where another mesh is taken. Groups are the tags of solids and faces.
     HexMeshData data;
+    std::vector<SolidId> hex_solid;  ///< one a hexahedron of data
+    std::vector<FaceId> quad_face;   ///< one a quad of data
     std::size_t hexahedra = 0;
     double min_jacobian = -1;                  ///< least scaled Jacobian
+    CadDeviation deviation;                    ///< of the mesh from the solids
     std::vector<std::string> warnings, notes;  ///< notes: how it was done, a line or more each
     std::string report;                        ///< what Kernels::describe made of the method's own reports
 
@@ -74,10 +78,14 @@ struct PartMesh {
     /// All meshes that were taken. Group numbers of hexahedra are tags of solids, those of quads tags of faces; quads
     /// are the mesh of the faces, about the face's own normal (of blocks: seen from outside).
     HexMeshData data;
+    std::vector<SolidId> hex_solid;       ///< of the model, one a hexahedron of data
+    std::vector<FaceId> quad_face;        ///< of the model, one a quad of data
     std::vector<PartDecision> decisions;  ///< one for each group of solids that touch
     MeshCheck check;                      ///< of data
     /// For each node of data the entity of the model that it lies on, and its parameters there; of valid meshes only.
     NodeEntities entities;
+    std::vector<std::string> warnings;  ///< of the model as a whole; each try has its own
+    CadDeviation deviation;             ///< of data from all solids that have a mesh
     double seconds = 0;
 
     /// Whether every solid has a mesh.
@@ -91,7 +99,8 @@ struct PartMesh {
     }
 };
 
-/// \throws InputError bad_option: sizes that are not positive (size may be 0), a time limit that is negative
+/// \throws InputError bad_option: sizes that are not positive (size may be 0), a time limit that is negative, an angle
+/// that is not between 1 and 90 degrees
 PAVIOR_INLINE void check_options(const PartOptions& options);
 
 /// Why there is no valid mesh: a line for each try on each group that has none; empty for a valid mesh.

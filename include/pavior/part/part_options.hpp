@@ -43,8 +43,15 @@ struct LocalLengths {
 /// Lengths are in the unit of the model, seconds are wall time. Tags are the numbers by which users of the CAD file
 /// know the entities (brep::tag).
 struct PartOptions {
-    double size = 0;           ///< wished length of mesh edges; 0: diagonal / 12
-    LocalLengths local = {};   ///< others for some edges, faces and solids
+    LocalLengths local = {};                ///< others for some edges, faces and solids
+    /// Curved edges turn by at most so many degrees from one mesh edge to the next, whatever the size; 1 to 90.
+    double max_angle = 30;
+    /// Of files with several solids: CadOptions::imprint_tolerance. mesh_file() reads the file with
+    /// it; volumes and boundary nodes may be as far off as it admits.
+    double imprint_tolerance = 0;
+    /// Mesh also slices thinner than a hundredth of the size that are left where solids cut each other, which
+    /// mesh_file() and mesh_model() refuse otherwise.
+    bool allow_slices = false;
     double max_hexahedra = 0;  ///< refused where more are to be expected by volume and size; 0: no limit
     /// Tried in this order; empty: all, in the order of PartMethod.
     std::vector<PartMethod> methods = {};

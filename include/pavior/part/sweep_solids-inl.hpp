@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <sstream>
 
 namespace pavior {
 
@@ -20,7 +21,7 @@ namespace detail {
         return std::nullopt;
     }
     for (std::size_t f = 0; f < b.face_count(); ++f) {
-        if (b.tag(2, f) == *tag) {
+        if (has_tag(b, 2, f, *tag)) {
             return FaceId{static_cast<std::int32_t>(f)};
         }
     }
@@ -57,9 +58,11 @@ namespace detail {
                           {tag});
 }
 
-inline void add_sweep_warnings(const AnyModel& b, SweptSolids& result) {
+inline void add_sweep_warnings(const AnyModel& b, double max_angle, SweptSolids& result) {
     if (!result.intervals.angles_kept) {
-        result.warnings.emplace_back("the numbers prescribed leave curved edges coarser than 45 degrees an interval");
+        std::ostringstream text;
+        text << "the numbers prescribed leave curved edges coarser than " << max_angle << " degrees an interval";
+        result.warnings.push_back(text.str());
     }
     for (const LinkingFaceReport& side : result.mesh.sides) {
         if (!side.folded.empty()) {
@@ -97,7 +100,7 @@ PAVIOR_INLINE SweptSolids sweep_solids(const AnyModel& b, std::span<const SolidI
         result.intervals = assign_intervals(b, sweeps, wishes, solver);
         result.mesh = sweep_model(b, sweeps, result.intervals.intervals, mesher, options.sweep);
     });
-    detail::add_sweep_warnings(b, result);
+    detail::add_sweep_warnings(b, wishes.max_angle, result);
     return result;
 }
 

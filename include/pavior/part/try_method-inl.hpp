@@ -1,6 +1,8 @@
 #pragma once
 
 #include <pavior/block/block_mesh_data.hpp>
+#include <pavior/block/surface_distance.hpp>
+#include <pavior/brep/all_tags.hpp>
 #include <pavior/core/stop.hpp>
 #include <pavior/core/stopwatch.hpp>
 #include <pavior/part/block_model.hpp>
@@ -12,7 +14,9 @@
 #include <pavior/part/try_method.hpp>
 #include <pavior/smooth/improve_hexes.hpp>
 
+#include <cstdint>
 #include <exception>
+#include <map>
 #include <new>
 #include <sstream>
 #include <string>
@@ -20,6 +24,24 @@
 namespace pavior {
 
 namespace detail {
+
+/// The faces of a solid that bear the tags, one a tag; empty if one of them bears none.
+[[nodiscard]] inline std::vector<FaceId> faces_of_groups(const AnyModel& b, SolidId solid,
+                                                         std::span<const std::int32_t> tags) {
+    std::map<int, FaceId> by_tag;
+    for (const OrientedFace& f : b.solid_faces(solid)) {
+        by_tag.emplace(b.tag(2, f.face.index()), f.face);
+    }
+    std::vector<FaceId> faces;
+    for (const std::int32_t tag : tags) {
+        const auto found = by_tag.find(tag);
+        if (found == by_tag.end()) {
+            return {};
+        }
+        faces.push_back(found->second);
+    }
+    return faces;
+}
 
 inline void try_block(Trial& trial) {
     MethodTry& result = trial.result;
@@ -31,8 +53,8 @@ inline void try_block(Trial& trial) {
     own.execution = trial.options.execution;
     own.refine.emplace();
     const LocalLengths& local = trial.options.local;
-    const auto whole = local.solid.find(trial.model.tag(3, trial.solids[0].index()));
-    own.refine->size = whole != local.solid.end() ? whole->second : trial.size();
+    own.refine->size = size_by_tag(trial.model, 3, trial.solids[0].index(), local.solid).value_or(trial.size());
+    own.refine->max_angle = trial.options.max_angle;
     own.refine->curve_size = local.edge;
     own.refine->patch_size = local.face;
     const BlockedModel model = block_model(trial.model, trial.solids[0], own, trial.kernels.reference);
@@ -45,6 +67,12 @@ inline void try_block(Trial& trial) {
     result.data = block_mesh_data(model.blocks, model.reference.surface);
     result.data.hex_groups.assign(result.data.mesh.hexes.size(), trial.model.tag(3, trial.solids[0].index()));
     result.data.groups = entity_groups(trial.model, trial.solids);
+    result.hex_solid.assign(result.data.mesh.hexes.size(), trial.solids[0]);
+    result.quad_face = faces_of_groups(trial.model, trial.solids[0], result.data.quad_groups);
+    // Blocks unite faces that meet smoothly: a quad may stand for several of them.
+    const TriMesh& surface = model.reference.surface.mesh;
+    result.deviation.distance = model.reference.chord + surface_distance(result.data.mesh.nodes, result.data.quads,
+                                                                         surface.nodes, surface.triangles);
 }
 
 /// Raises the least scaled Jacobian where it is low, also by sliding nodes on plane faces.
@@ -73,21 +101,22 @@ inline void improve(Trial& trial) {
     }
 }
 
-inline void judge(Trial& trial) {
-    const auto [check, volume] = judge_mesh(trial.model, trial.solids, trial.options.execution, trial.result);
-    const JudgedMesh judged{&trial.result.data, check, volume};
+inline void judge(Trial& trial, const std::function<bool()>& out_of_time) {
+    const bool alone = trial.solids.size() == trial.model.solid_count();
+    const JudgeOptions own{trial.options.execution, trial.size(), trial.options.imprint_tolerance, alone, out_of_time};
+    const MeshCheck check = judge_mesh(trial.model, trial.solids, own, trial.result);
+    const JudgedMesh judged{&trial.result.data, check, trial.result.deviation};
     trial.describe(&judged);
 }
 
 }  // namespace detail
 
 PAVIOR_INLINE MethodTry try_method(PartMethod method, const AnyModel& model, std::span<const SolidId> solids,
-                                   const PartOptions& options, const Kernels& kernels,
-                                   const std::function<bool()>& out_of_time) {
+                                   const PartOptions& options, const Kernels& kernels, const TryTimes& times) {
     MethodTry result;
     result.method = method;
     const Stopwatch watch;
-    detail::Trial trial{model, solids, options, kernels, out_of_time, result};
+    detail::Trial trial{model, solids, options, kernels, times.out_of_time, result};
     try {
         switch (method) {
             case PartMethod::submap: detail::try_submap(trial); break;
@@ -96,10 +125,13 @@ PAVIOR_INLINE MethodTry try_method(PartMethod method, const AnyModel& model, std
             case PartMethod::mixed: detail::try_mixed(trial); break;
             case PartMethod::block: detail::try_block(trial); break;
         }
-        if (!out_of_time()) {
+        if (!times.out_of_time()) {
             detail::improve(trial);
         }
-        detail::judge(trial);
+        if (times.made) {
+            times.made();
+        }
+        detail::judge(trial, times.no_time_to_check);
     } catch (const Stopped&) {
         throw;
     } catch (const Error& error) {

@@ -12,11 +12,18 @@
 
 namespace pavior {
 
+/// What a try asks and tells about its time.
+struct TryTimes {
+    std::function<bool()> out_of_time;            ///< asked by the methods now and then; must be given
+    std::function<bool()> no_time_to_check = {};  ///< asked while the mesh is compared with the model; empty: never
+    std::function<void()> made = {};              ///< called once there is a mesh, before it is checked
+};
+
 /// What \p method makes of \p solids, which touch each other; errors of any kind end in the outcome, but for Stopped.
-/// Local sizes by name must have been resolved. \p out_of_time may be asked now and then.
+/// Local sizes by name must have been resolved.
 [[nodiscard]] PAVIOR_INLINE MethodTry try_method(PartMethod method, const AnyModel& model,
                                                  std::span<const SolidId> solids, const PartOptions& options,
-                                                 const Kernels& kernels, const std::function<bool()>& out_of_time);
+                                                 const Kernels& kernels, const TryTimes& times);
 
 }  // namespace pavior
 

@@ -2,6 +2,7 @@
 /// \file
 /// The rules that submapping puts on the numbers of intervals.
 
+#include <pavior/brep/all_tags.hpp>
 #include <pavior/lattice/signed_axis.hpp>
 #include <pavior/lattice/submap_topology.hpp>
 #include <pavior/one_to_one/interval_rules.hpp>
@@ -132,8 +133,7 @@ private:
     }
     void add_links(const IntervalOptions& options) {
         for (std::size_t f = 0; f < model_.faces.size(); ++f) {
-            const auto own = options.face_size.find(b_.tag(2, f));
-            const double size = own != options.face_size.end() ? own->second : options.size;
+            const double size = size_by_tag(b_, 2, f, options.face_size).value_or(options.size);
             for (const LoopLink& link : model_.faces[f].links) {
                 std::array<std::size_t, 2> at{};
                 for (std::size_t a = 0; a < 2; ++a) {

@@ -39,8 +39,8 @@ public:
         target.folded_by_map = folded(target);
         target.folded = target.folded_by_map;
         const bool repair = options.correction == TargetCorrection::when_folded && !target.folded.empty();
-        if (options.correction == TargetCorrection::always || repair) {
-            correct(target, options.correction == TargetCorrection::always);
+        if (options.by != BoundaryCorrection::none && (options.correction == TargetCorrection::always || repair)) {
+            correct(target, options);
         }
         if (options.untangle && !target.folded.empty()) {
             untangle(target, options.untangling);
@@ -103,7 +103,7 @@ private:
         return ids;
     }
 
-    void correct(SpaceTargetMesh& target, bool whatever_folds) const {
+    void correct(SpaceTargetMesh& target, const TargetOptions& options) const {
         std::vector<Vec3> residuals(loop_nodes_.size());
         for (std::size_t i = 0; i < residuals.size(); ++i) {
             residuals[i] = loop_nodes_[i] - target.map(source_.nodes[source_.loops.nodes[i]]);
@@ -112,13 +112,13 @@ private:
         for (std::size_t j = 0; j < other.nodes.size(); ++j) {
             other.nodes[j] = target.map(source_.nodes[j]);
         }
-        add_residuals(source_.nodes, std::span<const std::uint8_t>(boundary_),
-                      std::span<const Index>(source_.loops.nodes), std::span<const Vec3>(residuals),
-                      std::span<Vec3>(other.nodes));
+        spread_residuals(options.by, source_.nodes, source_.quads, std::span<const std::uint8_t>(boundary_),
+                         std::span<const Index>(source_.loops.nodes), std::span<const Vec3>(residuals),
+                         std::span<Vec3>(other.nodes));
         place_nodes(other.nodes);
         other.folded = folded(other);
         other.corrected = true;
-        if (whatever_folds || other.folded.size() <= target.folded.size()) {
+        if (options.correction == TargetCorrection::always || other.folded.size() <= target.folded.size()) {
             target = std::move(other);
         }
     }

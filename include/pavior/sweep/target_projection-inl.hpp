@@ -68,8 +68,8 @@ public:
         target.folded_by_map = folded(target);
         target.folded = target.folded_by_map;
         const bool repair = options.correction == TargetCorrection::when_folded && !target.folded.empty();
-        if (options.correction == TargetCorrection::always || repair) {
-            correct(target, options.correction == TargetCorrection::always);
+        if (options.by != BoundaryCorrection::none && (options.correction == TargetCorrection::always || repair)) {
+            correct(target, options);
         }
         const bool smooth = options.smooth_repaired && !target.folded_by_map.empty();
         if (options.untangle && (smooth || !target.folded.empty())) {
@@ -122,19 +122,19 @@ private:
                                     source_.quads, target.reversed);
     }
 
-    void correct(TargetMesh& target, bool whatever_folds) const {
+    void correct(TargetMesh& target, const TargetOptions& options) const {
         std::vector<Vec2> residuals(loop_uv_.size());
         for (std::size_t i = 0; i < residuals.size(); ++i) {
             residuals[i] = loop_uv_[i] - target.map(source_.uv[source_.loops.nodes[i]]);
         }
         TargetMesh other = target;
-        add_residuals(source_.nodes, std::span<const std::uint8_t>(boundary_),
-                      std::span<const Index>(source_.loops.nodes), std::span<const Vec2>(residuals),
-                      std::span<Vec2>(other.uv));
+        spread_residuals(options.by, source_.nodes, source_.quads, std::span<const std::uint8_t>(boundary_),
+                         std::span<const Index>(source_.loops.nodes), std::span<const Vec2>(residuals),
+                         std::span<Vec2>(other.uv));
         evaluate(other);
         other.folded = folded(other);
         other.corrected = true;
-        if (whatever_folds || other.folded.size() <= target.folded.size()) {
+        if (options.correction == TargetCorrection::always || other.folded.size() <= target.folded.size()) {
             target = std::move(other);
         }
     }

@@ -8,14 +8,16 @@
 #include <pavior/mesh/cells.hpp>
 #include <pavior/smooth/options.hpp>
 #include <pavior/smooth/report.hpp>
+#include <pavior/sweep/boundary_error.hpp>
 
 #include <span>
 #include <vector>
 
 namespace pavior {
 
-/// When the inner nodes follow what the affine map leaves over at the boundary: plus sum_i w_i residual_i with weights
-/// ~ 1 / (squared distance on the source cap), so that the map interpolates the loops.
+/// When the inner nodes follow what the affine map leaves over at the boundary: the residuals of the loop nodes are
+/// interpolated to them over the source cap, so that the map with its correction interpolates the loops. Section 4.2.2
+/// \cite roca2009 has none and smooths where quads fold.
 enum class TargetCorrection : std::uint8_t {
     never,
     when_folded,  ///< if the map itself folds quads, and no more of them fold with the correction
@@ -24,7 +26,9 @@ enum class TargetCorrection : std::uint8_t {
 
 struct TargetOptions {
     TargetCorrection correction = TargetCorrection::when_folded;
-    /// Untangle quads that are still folded. With correction never and untangle false the result is the plain map.
+    /// How residuals are interpolated; none: as TargetCorrection::never.
+    BoundaryCorrection by = BoundaryCorrection::idw;
+    /// Untangle quads that are still folded. With no correction and untangle false the result is the plain map.
     bool untangle = true;
     /// If the affine map folds quads, also smooth what the correction and the untangling have made of it: all inner
     /// nodes, the smallest determinant never gets worse. Nothing happens where the map alone folds nothing.

@@ -6,8 +6,11 @@
 #include <pavior/block/block_mesh.hpp>
 #include <pavior/block/place_blocks.hpp>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace pavior::detail {
@@ -51,6 +54,22 @@ public:
         return length;
     }
 
+    /// The angle by which the geometry turns along an edge, degrees: the tangent of chains, the normal of patches; both
+    /// from few points, so that facets count little. 0 inside of cells.
+    [[nodiscard]] double edge_turning(Index e) const {
+        const auto [low, high] = blocks_.edges[e];
+        const BlockNode& node = blocks_.nodes[high];
+        constexpr double degrees_a_radian = 57.29577951308232;
+        if (node.dimension == 1) {
+            return degrees_a_radian * chain_turning(e);
+        }
+        if (node.dimension == 2) {
+            const Vec2 from = chain_place(node.id, blocks_.nodes[low].id);
+            return degrees_a_radian * patch_turning(node.id, from, placement_.parameters[high].head<2>());
+        }
+        return 0.0;
+    }
+
     /// The corners of a quad on a patch in the polygon of this.
     [[nodiscard]] std::array<Vec2, 4> places(Index q) const {
         const QuadCorners& c = blocks_.quads[q];
@@ -65,6 +84,25 @@ public:
     }
 
 private:
+    [[nodiscard]] static double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+    /// Of the arc through both ends and the middle.
+    [[nodiscard]] double chain_turning(Index e) const {
+        const Vec3 middle = edge_point(e, 0.5);
+        return 2.0 * angle(middle - edge_point(e, 0.0), edge_point(e, 1.0) - middle);
+    }
+
+    [[nodiscard]] double patch_turning(Index patch, const Vec2& from, const Vec2& to) const {
+        constexpr double end = 0.15;
+        const Vec2 along = end * (to - from);
+        const Vec2 across(-along[1], along[0]);
+        const auto normal = [&](const Vec2& p) -> Vec3 {
+            const PatchMap& map = geometry_.patches[patch];
+            return (map.at(p + along) - map.at(p - along)).cross(map.at(p + across) - map.at(p - across));
+        };
+        return angle(normal(from + along), normal(to - along)) / (1.0 - 2.0 * end);
+    }
+
     /// Where the node of a chain lies in the polygon of a patch on it.
     [[nodiscard]] Vec2 chain_place(Index patch, Index chain) const {
         const auto& sides = geometry_.patch_sides[patch];

@@ -18,6 +18,7 @@ namespace pavior::detail {
 [[nodiscard]] inline IntervalOptions wishes_of(const Trial& trial) {
     IntervalOptions wishes;
     wishes.size = trial.size();
+    wishes.max_angle = trial.options.max_angle;
     wishes.edge_size = trial.options.local.edge;
     wishes.face_size = trial.options.local.face;
     wishes.solid_size = trial.options.local.solid;
@@ -28,13 +29,20 @@ namespace pavior::detail {
     return {trial.options.local.edge, trial.options.local.face, trial.options.local.solid};
 }
 
+/// The mesh as groups, with the entities that its cells belong to.
+inline void take_mesh(Trial& trial, SolidsMesh mesh) {
+    trial.result.hex_solid = mesh.hex_solid;
+    trial.result.quad_face = mesh.quad_face;
+    trial.result.data = grouped(trial.model, trial.solids, std::move(mesh));
+}
+
 PAVIOR_INLINE void try_submap(Trial& trial) {
     SubmappedMesh mesh = submap_model(trial.model, trial.solids, wishes_of(trial), trial.kernels.solver);
     trial.describe(&mesh);
     for (const SubmapSolidReport& solid : mesh.solids) {
         trial.result.notes.push_back(note_of(solid));
     }
-    trial.result.data = grouped(trial.model, trial.solids, std::move(mesh));
+    take_mesh(trial, std::move(mesh));
 }
 
 PAVIOR_INLINE void try_sweep(Trial& trial) {
@@ -50,13 +58,15 @@ PAVIOR_INLINE void try_sweep(Trial& trial) {
                                      std::to_string(model.tag(2, solid.target.index())) + " in " +
                                      std::to_string(solid.layers) + " layers");
     }
-    trial.result.data = grouped(model, trial.solids, std::move(swept.mesh));
+    take_mesh(trial, std::move(swept.mesh));
 }
 
 PAVIOR_INLINE void try_multi_sweep(Trial& trial) {
     const AnyModel& model = trial.model;
     MultiSweepOptions own;
     own.size = trial.size();
+    own.max_angle = trial.options.max_angle;
+    own.off_face = trial.options.imprint_tolerance;
     own.execution = trial.options.execution;
     BestMultiSweep best =
         multi_sweep_solids(model, trial.solids, own, trial.kernels, trial.out_of_time, local_sizes(trial));
@@ -71,7 +81,7 @@ PAVIOR_INLINE void try_multi_sweep(Trial& trial) {
     if (!best.mesh) {
         throw no_mesh_error(best);
     }
-    trial.result.data = grouped(model, trial.solids, std::move(*best.mesh));
+    take_mesh(trial, std::move(*best.mesh));
 }
 
 PAVIOR_INLINE void try_mixed(Trial& trial) {
@@ -79,6 +89,7 @@ PAVIOR_INLINE void try_mixed(Trial& trial) {
     MixedOptions own;
     own.execution = trial.options.execution;
     own.sizes = local_sizes(trial);
+    own.max_angle = trial.options.max_angle;
     MixedSolids mesh;
     with_finer_sizes(trial.size(), trial.result.warnings, [&](double size, int min_loop) {
         own.size = size;
@@ -90,7 +101,7 @@ PAVIOR_INLINE void try_mixed(Trial& trial) {
         trial.result.notes.push_back("solid " + std::to_string(model.tag(3, solid.index())) + ": " +
                                      std::string(to_string(method)));
     }
-    trial.result.data = grouped(model, trial.solids, std::move(mesh));
+    take_mesh(trial, std::move(mesh));
 }
 
 }  // namespace pavior::detail

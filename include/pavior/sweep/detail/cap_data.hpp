@@ -4,7 +4,9 @@
 #include <pavior/affine/fit.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/mesh/cells.hpp>
+#include <pavior/sweep/boundary_error.hpp>
 #include <pavior/sweep/folded_quads.hpp>
+#include <pavior/sweep/harmonic_error.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -120,6 +122,25 @@ void add_residuals(std::span<const At> at, std::span<const std::uint8_t> boundar
             sum += residuals[i] / square;
         }
         images[j] += sum / weights;
+    }
+}
+
+/// The same by discrete harmonic functions on the quads (HarmonicError), or with the weights above.
+template <class P>
+void spread_residuals(BoundaryCorrection by, std::span<const Vec3> at, std::span<const QuadCorners> quads,
+                      std::span<const std::uint8_t> boundary, std::span<const Index> loop_nodes,
+                      std::span<const P> residuals, std::span<P> images) {
+    if (by != BoundaryCorrection::harmonic) {
+        add_residuals(at, boundary, loop_nodes, residuals, images);
+        return;
+    }
+    const HarmonicError error(at, quads, loop_nodes);
+    const Eigen::MatrixXd rows = columns(residuals).transpose();
+    const HarmonicError::Prepared prepared = error.prepare(rows);
+    for (std::size_t j = 0; j < at.size(); ++j) {
+        if (boundary[j] == 0) {
+            images[j] += prepared.field.row(static_cast<Eigen::Index>(j)).transpose();
+        }
     }
 }
 
