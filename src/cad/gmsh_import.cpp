@@ -260,8 +260,8 @@ std::array<double, 6> bounding_box(int dim, int tag) {
     return box;
 }
 
-/// A point inside the face by trial on grids, away from its boundary if there is such a one: points of boundaries lie on
-/// other faces, too.
+/// A point inside the face by trial on grids, away from its boundary if there is such a one: points of boundaries lie
+/// on other faces, too.
 bool point_inside(const GmshModel& model, int tag, Vec3& point) {
     const auto [low, high] = model.face_bounds(tag);
     const Vec2 size = high - low;
