@@ -34,7 +34,7 @@ struct StepSolid {
 /// The solids of a STEP file as the products and their assemblies name them, parts that are used twice twice. A solid
 /// has the name of its product if that is its only one, else its own where there is one. Names that only say which
 /// program wrote the file ("Open CASCADE ...", "NONE") are none. Where there is no solid, surface models stand for
-/// them. What cannot be read has no name; nothing is thrown.
+/// solids. What cannot be read has no name; nothing is thrown.
 [[nodiscard]] std::vector<StepSolid> read_step_solids(std::string_view text);
 
 }  // namespace pavior::detail

@@ -179,6 +179,24 @@ TEST_CASE("formats: what does not go with the ending is refused in words") {
     CHECK(run_program("mesh " + fault("partial_face.step") + " -o x.msh --format msh3").code == 2);
 }
 
+TEST_CASE("formats: every command writes the kind of .msh that is asked for") {
+    const std::map<std::string, std::string> heads{
+        {"msh4", "4.1 1 8"}, {"msh4-ascii", "4.1 0 8"}, {"msh2", "2.2 1 8"}, {"msh2-ascii", "2.2 0 8"}};
+    const std::string file = scratch_file("kind.msh");
+    for (const auto& [format, head] : heads) {
+        for (const char* part :
+             {"mesh|partial_face.step", "sweep|partial_face.step", "block|stl_six_named_patches.stl"}) {
+            const std::string text = part;
+            const std::size_t bar = text.find('|');
+            CAPTURE(format, part);
+            const auto report = meshed(text.substr(0, bar) + " --format " + format, text.substr(bar + 1), file);
+            CHECK(content(file).rfind("$MeshFormat\n" + head + "\n", 0) == 0);
+            CHECK(read_mesh(file).mesh.hexes.size() == report["mesh"]["hexahedra"].get<std::size_t>());
+            CHECK(report["mesh"]["groups"][0]["written_as"].is_string());
+        }
+    }
+}
+
 TEST_CASE("quads look outward, also on faces that the CAD model has turned inward") {
     for (const char* command : {"mesh --size 0.25", "mesh --method sweep --size 0.25", "sweep --size 0.25"}) {
         const std::string file = scratch_file("partial.vtu");
