@@ -4,6 +4,7 @@
 
 #include <pavior/brep/brep.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -17,17 +18,18 @@ struct SurfaceFoot {
     bool regular = true;
 };
 
-/// Gauss-Newton from \p start to the foot of \p x on face \p f: the offset is square to the surface up to \p tolerance,
-/// a length. Nothing where the steps do not come closer, or meet a point that is not regular. The foot may be another
-/// than the closest point of the surface; its distance is never less. Two evaluations a step, 2 to 4 steps as a rule.
+/// Gauss-Newton from \p start to the foot of \p x on face \p f, the offset square to the surface; a step no longer than
+/// \p last is the last one, and is taken in the tangent plane (the distance is off by half its square times the
+/// curvature at most). Nothing where the steps do not come closer, or meet a point that is not regular. The foot
+/// may be another than the closest point of the surface. Two evaluations a step, 1 or 2 steps as a rule.
 template <brep B>
 [[nodiscard]] std::optional<SurfaceFoot> surface_foot(const B& b, FaceId f, const Vec3& x, const Vec2& start,
-                                                      double tolerance) {
+                                                      double last) {
     constexpr int most_steps = 12;
-    SurfaceFoot foot{start, (b.face_point(f, start) - x).norm(), true};
+    Vec3 gap = x - b.face_point(f, start);
+    SurfaceFoot foot{start, gap.norm(), true};
     for (int i = 0; i < most_steps; ++i) {
         const auto [du, dv] = b.face_derivatives(f, foot.uv);
-        const Vec3 gap = x - b.face_point(f, foot.uv);
         const double uu = du.squaredNorm(), uv = du.dot(dv), vv = dv.squaredNorm();
         const double determinant = uu * vv - uv * uv;
         if (!(determinant > 1e-16 * uu * vv)) {
@@ -36,19 +38,22 @@ template <brep B>
         const Vec2 step(vv * du.dot(gap) - uv * dv.dot(gap), uu * dv.dot(gap) - uv * du.dot(gap));
         const Vec2 by = step / determinant;
         const double length = (du * by[0] + dv * by[1]).norm();
-        if (length <= tolerance) {
-            return foot;
+        if (length <= std::max(last, 1e-6 * foot.distance)) {  // of a far point no nearer than rounding admits
+            return SurfaceFoot{foot.uv + by, (gap - du * by[0] - dv * by[1]).norm(), true};
         }
         SurfaceFoot next{foot.uv + by, 0, true};
-        next.distance = (b.face_point(f, next.uv) - x).norm();
+        Vec3 next_gap = x - b.face_point(f, next.uv);
+        next.distance = next_gap.norm();
         for (int halved = 0; halved < 2 && !(next.distance < foot.distance); ++halved) {
             next.uv = 0.5 * (next.uv + foot.uv);
-            next.distance = (b.face_point(f, next.uv) - x).norm();
+            next_gap = x - b.face_point(f, next.uv);
+            next.distance = next_gap.norm();
         }
-        if (!(next.distance < foot.distance)) {  // of a far point the distance is as near as rounding admits
-            return length <= 1e-6 * foot.distance ? std::optional(foot) : std::nullopt;
+        if (!(next.distance < foot.distance)) {
+            return std::nullopt;
         }
         foot = next;
+        gap = next_gap;
     }
     return std::nullopt;
 }
