@@ -36,8 +36,8 @@ private:
 };
 
 /// What every surface mesh of ours wants: linear, reproducible, sized by nothing but \p size (0: without limit) and the
-/// number of elements \p per_turn of 2 pi (0: whatever the curvature), and never below \p least, which must be positive:
-/// at the tip of a cone Gmsh would refine without end.
+/// number of elements \p per_turn of 2 pi (0: whatever the curvature), and never below \p least, which must be
+/// positive: at the tip of a cone Gmsh would refine without end.
 inline void set_mesh_options(GmshOptions& options, double size, double least, int per_turn = 0) {
     options.set("General.AbortOnError", 0);  // it throws inside a parallel region, which ends the process
     options.set("General.NumThreads", 1);

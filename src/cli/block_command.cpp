@@ -6,8 +6,8 @@
 
 #include <pavior/block/block_mesh_data.hpp>
 #include <pavior/block/block_solid.hpp>
-#include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/block/surface_distance.hpp>
+#include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/contributions/contributions.hpp>
 #include <pavior/contributions/dual_surfaces.hpp>
 #include <pavior/contributions/regions.hpp>
@@ -153,8 +153,7 @@ CadDeviation deviation_of(const BlockCommand& command, const BlockReference& inp
     CadDeviation result;
     result.volume = check.verify.volume;
     result.cad_volume = input.volume ? *input.volume : enclosed_volume(surface.nodes, surface.triangles);
-    result.distance =
-        input.chord + surface_distance(data.mesh.nodes, data.quads, surface.nodes, surface.triangles);
+    result.distance = input.chord + surface_distance(data.mesh.nodes, data.quads, surface.nodes, surface.triangles);
     result.size = command.size;
     return result;
 }

@@ -23,7 +23,7 @@ struct MakeCommand {
     MeshFormat format = MeshFormat::by_extension;
     double size = 0;  ///< 0: the command's default
     LocalLengths local;
-    double max_angle = 30;  ///< degrees
+    double max_angle = 30;          ///< degrees
     std::string unit;               ///< of the mesh written; empty: that of the model
     std::optional<double> timeout;  ///< seconds for the whole program; 0: no limit; unset: the command's default
     double max_hexahedra = 0;       ///< 0: no limit

@@ -39,7 +39,7 @@ struct Swept {
     HexMeshData data;
     Json report = Json::object();
     std::vector<std::string> warnings;
-    double size = 0;  ///< that was used; 0: none was
+    double size = 0;                        ///< that was used; 0: none was
     std::optional<CadDeviation> deviation;  ///< from a CAD model
 };
 

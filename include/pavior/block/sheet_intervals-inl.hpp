@@ -85,7 +85,8 @@ private:
 
 inline void check_lengths(const BlockLengths& lengths) {
     const auto positive = [](const auto& entry) { return entry.second > 0 && std::isfinite(entry.second); };
-    if (std::isnan(lengths.size) || !(lengths.max_angle > 0) || !std::all_of(lengths.curve.begin(), lengths.curve.end(), positive) ||
+    if (std::isnan(lengths.size) || !(lengths.max_angle > 0) ||
+        !std::all_of(lengths.curve.begin(), lengths.curve.end(), positive) ||
         !std::all_of(lengths.patch.begin(), lengths.patch.end(), positive)) {
         throw InputError(ErrorCode::bad_option, "positive sizes and a positive angle expected");
     }

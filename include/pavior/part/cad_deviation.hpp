@@ -16,8 +16,8 @@ namespace pavior {
 
 /// Lengths and volumes are those of the model.
 struct CadDeviation {
-    double volume = 0;                  ///< of the mesh
-    std::optional<double> cad_volume;   ///< of the solids, where the model knows it
+    double volume = 0;                 ///< of the mesh
+    std::optional<double> cad_volume;  ///< of the solids, where the model knows it
     /// Of all corners and centres of boundary quads, the largest distance from the faces they stand for; nothing where
     /// it was not measured.
     std::optional<double> distance;
@@ -41,8 +41,8 @@ inline constexpr double noteworthy_distance = 0.25;
 /// \param quads,faces  its boundary, and the face of each quad; without faces the distance is unknown
 /// \param volume       of the mesh
 /// \param size         wished length of mesh edges
-/// \param out_of_time  asked now and then; once true, nothing more is measured and the distance is unknown. Empty: never
-/// O(quads), about five evaluations of the model each on curved faces (boundary_deviation()).
+/// \param out_of_time  asked now and then; once true, nothing more is measured and the distance is unknown. Empty:
+/// never O(quads), about five evaluations of the model each on curved faces (boundary_deviation()).
 [[nodiscard]] PAVIOR_INLINE CadDeviation cad_deviation(const AnyModel& b, std::span<const SolidId> solids,
                                                        std::span<const Vec3> nodes, std::span<const QuadCorners> quads,
                                                        std::span<const FaceId> faces, double volume, double size,
