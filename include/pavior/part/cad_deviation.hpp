@@ -42,7 +42,8 @@ inline constexpr double noteworthy_distance = 0.25;
 /// \param volume       of the mesh
 /// \param size         wished length of mesh edges
 /// \param out_of_time  asked now and then; once true, nothing more is measured and the distance is unknown. Empty:
-/// never O(quads), about five evaluations of the model each on curved faces (boundary_deviation()).
+/// never.
+/// O(quads), about five evaluations of the model each on curved faces (boundary_deviation()).
 [[nodiscard]] PAVIOR_INLINE CadDeviation cad_deviation(const AnyModel& b, std::span<const SolidId> solids,
                                                        std::span<const Vec3> nodes, std::span<const QuadCorners> quads,
                                                        std::span<const FaceId> faces, double volume, double size,
