@@ -150,11 +150,11 @@ TEST_CASE("mesh: the time limit strikes, and the answer says so") {
     const std::string report = scratch_file("late.json");
     const Stopwatch watch;
     const ProgramRun run = run_program("mesh " + example("mfcad/10-11-11-11-11-23.step") +
-                                       " --size 0.02 --max-hexahedra 0 --timeout 2 -o " + mesh + " --report " + report);
+                                       " --size 0.02 --max-hexahedra 0 --timeout 5 -o " + mesh + " --report " + report);
     CHECK(watch.total() < 15);
     CHECK(run.code == 3);
-    CHECK(run.err.find("within the time limit of 2 s\n") != std::string::npos);
-    CHECK(run.err.find("submap: not done after 0.") != std::string::npos);
+    CHECK(run.err.find("within the time limit of 5 s\n") != std::string::npos);
+    CHECK(run.err.find("submap: not done after ") != std::string::npos);
     CHECK_FALSE(std::filesystem::exists(mesh));
     const auto json = json_of(report);
     CHECK(json["decisions"][0]["out_of_time"] == true);
