@@ -172,7 +172,8 @@ std::optional<double> gap_between(const GmshModel& model, std::span<const FacePo
         model.face_points(other.tag, std::array{uv}, foot);
         const Vec3 gap = foot[0] - x;
         const double distance = gap.norm();
-        if (distance > zero && distance <= near && std::abs(gap.dot(normal)) > 0.9 * distance && distance < least.value_or(near * 2)) {
+        if (distance > zero && distance <= near && std::abs(gap.dot(normal)) > 0.9 * distance &&
+            distance < least.value_or(near * 2)) {
             least = distance;
         }
     }
@@ -241,9 +242,8 @@ std::vector<SolidGap> gaps_of(const GmshModel& model, const Topology& topology,
             }
             const double zero = 1e-9 * topology.diagonal;
             if (const auto gap = gap_between(model, a.points, *b.face, b.box, near, zero)) {
-                const std::pair<int, int> solids =
-                    std::minmax({solids_of.at(topology.solids[a.solid].tag).front(),
-                                 solids_of.at(topology.solids[b.solid].tag).front()});
+                const std::pair<int, int> solids = std::minmax({solids_of.at(topology.solids[a.solid].tag).front(),
+                                                                solids_of.at(topology.solids[b.solid].tag).front()});
                 const auto [at, first] = least.emplace(solids, *gap);
                 at->second = std::min(at->second, *gap);
             }
@@ -261,8 +261,8 @@ std::vector<SolidGap> gaps_of(const GmshModel& model, const Topology& topology,
 }  // namespace
 
 std::array<std::vector<std::vector<int>>, 4> file_tags(const GmshModel& model, const Topology& topology,
-                                                       const SolidPieces& pieces,
-                                                       const std::function<void()>& populate, double tolerance) {
+                                                       const SolidPieces& pieces, const std::function<void()>& populate,
+                                                       double tolerance) {
     const Original original(populate, tolerance);
     const GmshModel::Current current(model);
     std::array<std::vector<std::vector<int>>, 4> tags;
@@ -302,8 +302,8 @@ ImprintReport imprint_report(const GmshModel& model, const Topology& topology, c
             area += topology.faces[f.face.index()].area;
         }
         std::vector<int> solids = solids_of.at(solid.tag);
-        const bool cut = std::any_of(solids.begin(), solids.end(),
-                                     [&](int tag) { return pieces.pieces.at(tag).size() > 1; });
+        const bool cut =
+            std::any_of(solids.begin(), solids.end(), [&](int tag) { return pieces.pieces.at(tag).size() > 1; });
         std::sort(solids.begin(), solids.end());
         if (cut && area > 0) {
             report.pieces.push_back({std::move(solids), 2 * solid.volume / area});

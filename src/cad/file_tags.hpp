@@ -22,8 +22,8 @@ struct SolidPieces {
 /// Solids follow from \p pieces, what bounds them from their places: \p populate fills another model as the file does.
 /// Entities that lie on none of the file get numbers beyond those.
 std::array<std::vector<std::vector<int>>, 4> file_tags(const GmshModel& model, const Topology& topology,
-                                                       const SolidPieces& pieces,
-                                                       const std::function<void()>& populate, double tolerance);
+                                                       const SolidPieces& pieces, const std::function<void()>& populate,
+                                                       double tolerance);
 
 /// Overlaps, gaps below \p near, pieces.
 ImprintReport imprint_report(const GmshModel& model, const Topology& topology, const SolidPieces& pieces, double near);

@@ -70,9 +70,9 @@ std::string unit_of_statement(const std::string& statement) {
         const std::size_t from = own + std::string_view("CONVERSION_BASED_UNIT('").size();
         const std::string name = statement.substr(from, statement.find('\'', from) - from);
         static const std::map<std::string, const char*> names{
-            {"INCH", "inch"}, {"IN", "inch"},  {"INCHES", "inch"}, {"FOOT", "foot"},       {"FEET", "foot"},
-            {"FT", "foot"},   {"MIL", "mil"},  {"MILE", "mile"},   {"YARD", "yard"},       {"MILLIMETRE", "mm"},
-            {"METRE", "m"},   {"METER", "m"},  {"CENTIMETRE", "cm"}, {"MILLIMETER", "mm"}, {"CENTIMETER", "cm"}};
+            {"INCH", "inch"}, {"IN", "inch"}, {"INCHES", "inch"},   {"FOOT", "foot"},     {"FEET", "foot"},
+            {"FT", "foot"},   {"MIL", "mil"}, {"MILE", "mile"},     {"YARD", "yard"},     {"MILLIMETRE", "mm"},
+            {"METRE", "m"},   {"METER", "m"}, {"CENTIMETRE", "cm"}, {"MILLIMETER", "mm"}, {"CENTIMETER", "cm"}};
         const auto known = names.find(name);
         return known == names.end() ? unknown : known->second;
     }
@@ -165,9 +165,9 @@ std::string iges_unit(const std::string& text) {
             own.push_back(c);
         }
     }
-    static const std::map<std::string, const char*> units{{"1", "inch"}, {"2", "mm"}, {"4", "foot"}, {"5", "mile"},
-                                                          {"6", "m"},    {"7", "km"}, {"8", "mil"},  {"9", "um"},
-                                                          {"10", "cm"}};
+    static const std::map<std::string, const char*> units{{"1", "inch"}, {"2", "mm"}, {"4", "foot"},
+                                                          {"5", "mile"}, {"6", "m"},  {"7", "km"},
+                                                          {"8", "mil"},  {"9", "um"}, {"10", "cm"}};
     const auto known = parameters.size() < 14 ? units.end() : units.find(parameters[13]);
     return known == units.end() ? unknown : known->second;
 }
@@ -176,9 +176,9 @@ std::string iges_unit(const std::string& text) {
 
 std::optional<double> millimetres(std::string_view unit) {
     static const std::map<std::string_view, double> factors{
-        {"um", 1e-3},    {"mm", 1.0},    {"cm", 10.0},   {"dm", 100.0},   {"m", 1e3},     {"km", 1e6},
-        {"mil", 0.0254}, {"inch", 25.4}, {"in", 25.4},   {"foot", 304.8}, {"ft", 304.8},  {"yard", 914.4},
-        {"yd", 914.4},   {"mile", 1609344.0}, {"mi", 1609344.0}};
+        {"um", 1e-3},  {"mm", 1.0},     {"cm", 10.0},   {"dm", 100.0},       {"m", 1e3},
+        {"km", 1e6},   {"mil", 0.0254}, {"inch", 25.4}, {"in", 25.4},        {"foot", 304.8},
+        {"ft", 304.8}, {"yard", 914.4}, {"yd", 914.4},  {"mile", 1609344.0}, {"mi", 1609344.0}};
     const auto found = factors.find(unit);
     return found == factors.end() ? std::nullopt : std::optional(found->second);
 }

@@ -84,8 +84,8 @@ void generate(const Recipe& recipe, double size, double least, int per_turn) {
     gmsh::model::mesh::clear();
     for (const auto& face : entities(2)) {
         constexpr int initial_only = 3;
-        gmsh::model::mesh::setAlgorithm(
-            2, face.second, size > 0.0 || !is_plane(face.second) ? recipe.algorithm : initial_only);
+        gmsh::model::mesh::setAlgorithm(2, face.second,
+                                        size > 0.0 || !is_plane(face.second) ? recipe.algorithm : initial_only);
     }
     gmsh::model::mesh::generate(2);
 }

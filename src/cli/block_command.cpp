@@ -102,8 +102,7 @@ CadDeviation deviation_of(const BlockCommand& command, const BlockReference& inp
     CadDeviation result;
     result.volume = check.verify.volume;
     result.cad_volume = input.volume ? *input.volume : enclosed_volume(surface.nodes, surface.triangles);
-    result.distance =
-        input.chord + surface_distance(data.mesh.nodes, data.quads, surface.nodes, surface.triangles);
+    result.distance = input.chord + surface_distance(data.mesh.nodes, data.quads, surface.nodes, surface.triangles);
     result.size = command.size;
     return result;
 }

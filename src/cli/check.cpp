@@ -68,7 +68,8 @@ std::string counts_of(const MeshCheck& check) {
 void print_summary(const std::string& file, const std::string& counts, const MeshCheck& check,
                    const std::optional<CadDeviation>& deviation, double seconds) {
     std::cout << file << ": " << counts << "; scaled Jacobian min " << check.quality.scaled_jacobian.min << ", mean "
-              << check.quality.scaled_jacobian.mean << "; " << (deviation ? text_of(*deviation) + "; " : std::string()) << seconds << " s\n";
+              << check.quality.scaled_jacobian.mean << "; " << (deviation ? text_of(*deviation) + "; " : std::string())
+              << seconds << " s\n";
 }
 
 void print_invalid(const std::string& what, const std::string& faults, bool written) {

@@ -32,7 +32,7 @@ struct SweepCommand {
     bool smooth = true;
     std::optional<int> source, target;  ///< tags of faces
     unsigned threads = 0;               ///< 0: one a core
-    std::string unit;  ///< of the mesh written; empty: that of the model
+    std::string unit;                   ///< of the mesh written; empty: that of the model
     std::string report;
     bool quiet = false;
     bool keep_invalid = false;
@@ -50,7 +50,7 @@ struct BlockCommand {
     std::vector<double> feature_angles;  ///< end below, corner above, reversal above; empty: the default
     std::string dual;
     unsigned threads = 0;  ///< 0: one a core
-    std::string unit;  ///< of the mesh written; empty: that of the model
+    std::string unit;      ///< of the mesh written; empty: that of the model
     std::string report;
     bool quiet = false;
     bool keep_invalid = false;
@@ -59,15 +59,15 @@ struct BlockCommand {
 /// Options of `pavior mesh`.
 struct MeshCommand {
     std::string input, output;
-    double size = 0;                   ///< 0: a twelfth of the diagonal of the model
-    double max_angle = 30;             ///< degrees
+    double size = 0;        ///< 0: a twelfth of the diagonal of the model
+    double max_angle = 30;  ///< degrees
     double imprint_tolerance = 0;
     bool allow_slices = false;
     std::optional<PartMethod> method;  ///< unset: each in turn
     double timeout = 60;               ///< seconds a solid; 0: no limit
     bool explain = false;
     unsigned threads = 0;  ///< 0: one a core
-    std::string unit;  ///< of the mesh written; empty: that of the model
+    std::string unit;      ///< of the mesh written; empty: that of the model
     std::string report;
     bool quiet = false;
     bool keep_invalid = false;

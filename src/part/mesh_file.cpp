@@ -92,11 +92,10 @@ PartMesh mesh_model(const GmshBrep& model, const PartOptions& options) {
     if (!options.allow_slices) {
         refuse_slices(model.imprint_report(), options.size > 0 ? options.size : model.diagonal() / 12);
     }
-    PartMesh part = detail::mesh_groups(
-        model, options,
-        [&](PartMethod method, std::span<const SolidId> solids, const PartOptions& own, double seconds) {
-            return try_in_child(method, model, solids, own, seconds);
-        });
+    PartMesh part =
+        detail::mesh_groups(model, options,
+                            [&](PartMethod method, std::span<const SolidId> solids, const PartOptions& own,
+                                double seconds) { return try_in_child(method, model, solids, own, seconds); });
     part.warnings = warnings_of(model.imprint_report());
     return part;
 }

@@ -77,7 +77,8 @@ TEST_CASE("It ends when told to, and faces must be as many as quads") {
     const auto few = [](const BoundaryDeviation& so_far) { return so_far.quads < 7; };
     CHECK(boundary_deviation(b, wall.nodes, wall.quads, wall.faces, few).quads == 7);
     CHECK_THROWS_AS(boundary_deviation(b, wall.nodes, wall.quads, std::span(wall.faces).first(3), always), InputError);
-    const BoundaryDeviation none = boundary_deviation(b, wall.nodes, std::vector<QuadCorners>{}, std::vector<FaceId>{}, always);
+    const BoundaryDeviation none =
+        boundary_deviation(b, wall.nodes, std::vector<QuadCorners>{}, std::vector<FaceId>{}, always);
     CHECK(none.distance == 0);
     CHECK(none.quad == no_position);
 }

@@ -49,14 +49,16 @@ TEST_CASE("What a STEP file says its lengths are in: SI units, conversions, the 
     CHECK(unit_of_file(with("a.step", step("#1 = ( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) );\n"))) ==
           "mm");
     CHECK(unit_of_file(with("b.stp", step("#1=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.METRE.));\n"))) == "m");
-    const std::string inches = "#1=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n/* not ; #9=LENGTH_UNIT */\n"
-                               "#2=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#1);\n"
-                               "#3=(CONVERSION_BASED_UNIT('INCH',#2)LENGTH_UNIT()NAMED_UNIT(#8));\n"
-                               "#4=(GLOBAL_UNIT_ASSIGNED_CONTEXT((#5,#3,#6))REPRESENTATION_CONTEXT('',''));\n";
+    const std::string inches =
+        "#1=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n/* not ; #9=LENGTH_UNIT */\n"
+        "#2=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#1);\n"
+        "#3=(CONVERSION_BASED_UNIT('INCH',#2)LENGTH_UNIT()NAMED_UNIT(#8));\n"
+        "#4=(GLOBAL_UNIT_ASSIGNED_CONTEXT((#5,#3,#6))REPRESENTATION_CONTEXT('',''));\n";
     CHECK(unit_of_file(with("c.step", step(inches))) == "inch");
-    const std::string two = "#7=ADVANCED_BREP_SHAPE_REPRESENTATION('a',(#1,#9),#8);\n"
-                            "#8=(GLOBAL_UNIT_ASSIGNED_CONTEXT((#11))REPRESENTATION_CONTEXT('',''));\n"
-                            "#11=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.CENTI.,.METRE.));\n";
+    const std::string two =
+        "#7=ADVANCED_BREP_SHAPE_REPRESENTATION('a',(#1,#9),#8);\n"
+        "#8=(GLOBAL_UNIT_ASSIGNED_CONTEXT((#11))REPRESENTATION_CONTEXT('',''));\n"
+        "#11=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.CENTI.,.METRE.));\n";
     CHECK(unit_of_file(with("g.step", step(inches + two))) == "cm");  // that of the solids
     CHECK(unit_of_file(with("d.step", step("#1=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.PICO.,.METRE.));\n"))) == "unknown");
     CHECK(unit_of_file(with("e.step", step(""))) == "unknown");

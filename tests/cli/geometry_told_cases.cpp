@@ -50,7 +50,8 @@ TEST_CASE("A mesh of spline faces is checked in a fraction of the time that it t
     const Told mesh("mesh " + fault("spring_1.step"));
     CHECK(other.total() < 5 * made);  // it tries more than one method
     CHECK(mesh.json["deviation"]["distance_in_sizes"].get<double>() < 0.25);
-    CHECK(mesh.json["deviation"]["distance"].get<double>() == Approx(sweep.json["deviation"]["distance"].get<double>()));
+    CHECK(mesh.json["deviation"]["distance"].get<double>() ==
+          Approx(sweep.json["deviation"]["distance"].get<double>()));
 }
 
 TEST_CASE("The tip of a cone is meshed or refused in reasonable time") {
@@ -132,7 +133,8 @@ TEST_CASE("Reports say what was done: no blocks of an invalid dual, how sheets r
 TEST_CASE("Thin slots and slivers give valid blocks or the reason, other files a word about what is wrong") {
     const Told slot("block " + fault("slot_1e-6.off"));
     CHECK(slot.data.mesh.hexes.size() > 4);
-    const ProgramRun sliver = run_program("block " + fault("coplanar_sliver_1e12.off") + " -o " + scratch_file("o.vtu"));
+    const ProgramRun sliver =
+        run_program("block " + fault("coplanar_sliver_1e12.off") + " -o " + scratch_file("o.vtu"));
     CHECK(sliver.code == 2);
     CHECK(sliver.err.find("triangle ") != std::string::npos);
     CHECK(sliver.err.find("gave up") == std::string::npos);

@@ -23,11 +23,11 @@ namespace pavior {
 
 /// What boundary_deviation() found.
 struct BoundaryDeviation {
-    double distance = 0;              ///< largest distance of a corner or a centre of a quad from its face
-    std::size_t quad = no_position;   ///< the first quad with it; no_position at distance 0
-    double volume = 0;                ///< between the quads and their faces, an upper estimate
-    std::size_t quads = 0;            ///< so many were looked at
-    std::size_t projections = 0;      ///< calls of closest_on_face()
+    double distance = 0;             ///< largest distance of a corner or a centre of a quad from its face
+    std::size_t quad = no_position;  ///< the first quad with it; no_position at distance 0
+    double volume = 0;               ///< between the quads and their faces, an upper estimate
+    std::size_t quads = 0;           ///< so many were looked at
+    std::size_t projections = 0;     ///< calls of closest_on_face()
 };
 
 namespace detail {
@@ -40,7 +40,8 @@ namespace detail {
 template <brep B>
 class QuadMeasure {
 public:
-    QuadMeasure(const B& b, std::span<const Vec3> nodes) : b_(b), nodes_(nodes), face_(nodes.size()), foot_(nodes.size()) {}
+    QuadMeasure(const B& b, std::span<const Vec3> nodes)
+        : b_(b), nodes_(nodes), face_(nodes.size()), foot_(nodes.size()) {}
 
     void measure(std::size_t number, const QuadCorners& quad, FaceId face, BoundaryDeviation& result) {
         face_of_quad_ = face;
@@ -88,7 +89,8 @@ private:
             if (next == no_position) {
                 next = static_cast<std::size_t>(std::find(known.begin(), known.end(), false) - known.begin());
             }
-            const std::optional<Vec2> start = from == no_position ? std::nullopt : std::optional(start_of(next, from, is_start));
+            const std::optional<Vec2> start =
+                from == no_position ? std::nullopt : std::optional(start_of(next, from, is_start));
             at_[next] = foot(x_[next], start, projections);
             known[next] = true;
             face_[quad[next]] = face_of_quad_;

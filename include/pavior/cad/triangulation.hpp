@@ -32,8 +32,8 @@ struct CadTriangulation {
     TaggedSurface surface;
     /// Faces between two solids, seen from the one that comes first.
     std::vector<TaggedTriangle> inner_facets;
-    double chord = 0;   ///< largest distance of edge middles and triangle centres from their faces
-    double volume = 0;  ///< of all solids together, as the model knows it
+    double chord = 0;       ///< largest distance of edge middles and triangle centres from their faces
+    double volume = 0;      ///< of all solids together, as the model knows it
     ImprintReport imprint;  ///< of a file with several solids
 };
 

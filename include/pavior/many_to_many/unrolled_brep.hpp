@@ -59,7 +59,9 @@ public:
     }
     [[nodiscard]] std::array<double, 2> face_period(FaceId f) const { return b_.face_period(f); }
     [[nodiscard]] int tag(int dim, std::size_t index) const { return b_.tag(dim, index); }
-    [[nodiscard]] std::vector<int> all_tags(int dim, std::size_t index) const { return pavior::all_tags(b_, dim, index); }
+    [[nodiscard]] std::vector<int> all_tags(int dim, std::size_t index) const {
+        return pavior::all_tags(b_, dim, index);
+    }
 
 private:
     const B& b_;

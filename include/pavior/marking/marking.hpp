@@ -109,11 +109,11 @@ struct SheetReport {
     double quality = -1.0;                  ///< smallest scaled Jacobian (MarkingOptions::quality); -1 if not valid
     double aspect = 0.0;  ///< smallest ratio of edges of a block, simply placed (simple_quality()); 0 if not valid
     std::vector<Sheet> sheets;
-    std::vector<Index> layer_sheets;      ///< per layer of the reference mesh, its sheet
-    Grouping grouping = Grouping::exact;  ///< of the result
+    std::vector<Index> layer_sheets;              ///< per layer of the reference mesh, its sheet
+    Grouping grouping = Grouping::exact;          ///< of the result
     Propagation propagation = Propagation::full;  ///< of the result, which may differ from what was asked for
-    int rounds = 0;                       ///< of repair in the result
-    int tries = 0;                        ///< groupings that were tried
+    int rounds = 0;                               ///< of repair in the result
+    int tries = 0;                                ///< groupings that were tried
 };
 
 /// The reference mesh, cut by the sheets and with its layers, and how it came about.

@@ -174,8 +174,8 @@ SolidMesh sweep_solid(const B& b, BoundaryMesh& mesh, const SweepTopology& sweep
         target_options.correction = TargetCorrection::always;
         target_options.by = options.sweep.correction;
         const TargetMesh target = detail::mesh_target(b, mesh, sweep, problem, levels, target_options);
-        result.target = TargetReport{target.residual, target.corrected, target.folded_by_map.size(), target.folded,
-                                     target.smooth};
+        result.target =
+            TargetReport{target.residual, target.corrected, target.folded_by_map.size(), target.folded, target.smooth};
         target_ids = mesh.faces[sweep.target.index()].nodes;
     } else {
         target_ids = detail::match_target(b, mesh, sweep, problem, levels);

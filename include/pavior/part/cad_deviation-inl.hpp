@@ -49,17 +49,17 @@ namespace detail {
 
 }  // namespace detail
 
-PAVIOR_INLINE CadDeviation cad_deviation(const AnyModel& b, std::span<const SolidId> solids, std::span<const Vec3> nodes,
-                                         std::span<const QuadCorners> quads, std::span<const FaceId> faces,
-                                         double volume, double size, const std::function<bool()>& out_of_time) {
+PAVIOR_INLINE CadDeviation cad_deviation(const AnyModel& b, std::span<const SolidId> solids,
+                                         std::span<const Vec3> nodes, std::span<const QuadCorners> quads,
+                                         std::span<const FaceId> faces, double volume, double size,
+                                         const std::function<bool()>& out_of_time) {
     CadDeviation result;
     result.volume = volume;
     result.size = size;
     result.cad_volume = 0.0;
     for (const SolidId solid : solids) {
         const std::optional<double> own = volume_of(b, solid);
-        result.cad_volume =
-            result.cad_volume && own ? std::optional(*result.cad_volume + *own) : std::nullopt;
+        result.cad_volume = result.cad_volume && own ? std::optional(*result.cad_volume + *own) : std::nullopt;
     }
     if (quads.empty() || faces.size() != quads.size()) {
         return result;

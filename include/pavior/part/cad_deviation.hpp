@@ -16,8 +16,8 @@ namespace pavior {
 
 /// Lengths and volumes are those of the model.
 struct CadDeviation {
-    double volume = 0;                  ///< of the mesh
-    std::optional<double> cad_volume;   ///< of the solids, where the model knows it
+    double volume = 0;                 ///< of the mesh
+    std::optional<double> cad_volume;  ///< of the solids, where the model knows it
     /// Of all corners and centres of boundary quads, the largest distance from the faces they stand for; nothing where
     /// it was not measured.
     std::optional<double> distance;

@@ -51,12 +51,11 @@ PAVIOR_INLINE MeshCheck judge_mesh(const AnyModel& b, std::span<const SolidId> s
     const MeshCheck check = check_mesh(result.data.mesh, options.execution);
     const CadDeviation measured = result.deviation;
     if (check.verify.ok()) {
-        result.deviation =
-            cad_deviation(b, solids, result.data.mesh.nodes, result.data.quads, result.quad_face, check.verify.volume,
-                          options.size, options.out_of_time);
+        result.deviation = cad_deviation(b, solids, result.data.mesh.nodes, result.data.quads, result.quad_face,
+                                         check.verify.volume, options.size, options.out_of_time);
     }
     const bool has_quads = !result.data.quads.empty();
-    const std::optional<bool> complete = 
+    const std::optional<bool> complete =
         detail::same_volume(result.deviation, has_quads,
                             options.tolerance > 0 ? options.tolerance * detail::boundary_area(result.data) : 0);
     const bool checked = result.deviation.distance.has_value() || !has_quads;
@@ -75,8 +74,7 @@ PAVIOR_INLINE MeshCheck judge_mesh(const AnyModel& b, std::span<const SolidId> s
     } else if (flat) {
         reason << "hexahedra are flat, the least scaled Jacobian is " << result.min_jacobian;
     } else if (!complete.value_or(true)) {
-        reason << "its volume is " << check.verify.volume << ", that of the CAD model "
-               << *result.deviation.cad_volume;
+        reason << "its volume is " << check.verify.volume << ", that of the CAD model " << *result.deviation.cad_volume;
     } else {
         if (!checked) {
             result.warnings.emplace_back("the distance from the CAD was not checked: out of time");

@@ -15,7 +15,7 @@ namespace pavior {
 
 struct JudgeOptions {
     Execution execution = sequential;
-    double size = 0;  ///< wished length of mesh edges, in which distances are told; 0: none
+    double size = 0;       ///< wished length of mesh edges, in which distances are told; 0: none
     double tolerance = 0;  ///< to which the model is exact (CadOptions::imprint_tolerance), a length
     bool alone = true;     ///< the solids are all of the model: warnings need not name them
     /// Asked now and then; once true, what is left of the comparison with the model is not done. Empty: never.

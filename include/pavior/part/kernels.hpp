@@ -33,9 +33,9 @@ struct SmoothReport;
 /// Tetrahedra to block, and the surface that they fill.
 struct BlockReference {
     ReferenceMesh mesh;
-    TaggedSurface surface;  ///< tags of its triangles are those of the faces of the model, where it has tags
-    bool cad = false;       ///< the surface is that of a CAD model
-    double chord = 0;       ///< largest distance of the surface from that of the CAD model
+    TaggedSurface surface;         ///< tags of its triangles are those of the faces of the model, where it has tags
+    bool cad = false;              ///< the surface is that of a CAD model
+    double chord = 0;              ///< largest distance of the surface from that of the CAD model
     std::optional<double> volume;  ///< of the CAD model, where it is one
     std::vector<std::string> warnings;  ///< of a CAD model: overlaps and gaps of its solids
     double read_seconds = 0, tetra_seconds = 0;

@@ -82,8 +82,8 @@ PAVIOR_INLINE PartMesh mesh_groups(const AnyModel& b, const PartOptions& given, 
     result.check = check_mesh(result.data.mesh, options.execution);
     if (options.node_entities && result.valid()) {
         const HexMeshData& data = result.data;
-        result.entities = node_entities(b, data.mesh.nodes, data.mesh.hexes, result.hex_solid, data.quads,
-                                        result.quad_face);
+        result.entities =
+            node_entities(b, data.mesh.nodes, data.mesh.hexes, result.hex_solid, data.quads, result.quad_face);
     }
     result.seconds = watch.total();
     report(options.progress, "done", 1);

@@ -17,8 +17,8 @@
 namespace pavior {
 
 struct MixedOptions {
-    double size = 0;   ///< wished length of mesh edges; must be given
-    int min_loop = 4;  ///< intervals of a loop of a cap of a one-to-one sweep, at least
+    double size = 0;        ///< wished length of mesh edges; must be given
+    int min_loop = 4;       ///< intervals of a loop of a cap of a one-to-one sweep, at least
     double max_angle = 30;  ///< an edge turns by at most this from one interval to the next, degrees
     LocalSizes sizes;
     Execution execution = sequential;
