@@ -165,7 +165,7 @@ TEST_CASE("mesh: the time limit strikes, and the answer says so") {
 TEST_CASE("mesh: an invalid mesh exits with 1 and is only written on demand") {
     const std::string mesh = scratch_file("invalid.vtu");
     const std::string arguments =  // so coarse that blocks lose a feature: the volume is 4 % too small
-        "mesh " + example("mfcad/0-5-8-19.step") + " --size 4 --method block --timeout 0 -o " + mesh;
+        "mesh " + example("mfcad/0-5-8-19.step") + " --size 4 --max-angle 90 --method block --timeout 0 -o " + mesh;
     const ProgramRun run = run_program(arguments);
     CHECK(run.code == 1);
     CHECK(run.err.find("its volume is") != std::string::npos);

@@ -134,8 +134,8 @@ TEST_CASE("A huge size gives the coarsest mesh, arcs keep their shape") {
     CHECK(assign(b, box, with_size(1e9)).layers == std::vector{1});
     const std::vector pipe{best_sweep(b, add_cylinder(b, 2, 2, 3, 0.5))};
     const IntervalAssignment a = assign(b, pipe, with_size(1e9));
-    CHECK(chain_intervals(pipe[0].source_loops[0], a.intervals) == 8);
-    CHECK(chain_intervals(pipe[0].target_loops[1], a.intervals) == 8);
+    CHECK(chain_intervals(pipe[0].source_loops[0], a.intervals) == 12);
+    CHECK(chain_intervals(pipe[0].target_loops[1], a.intervals) == 12);
     IntervalOptions finer = with_size(1e9);
     finer.max_angle = 20;
     CHECK(chain_intervals(pipe[0].source_loops[0], assign(b, pipe, finer).intervals) == 18);
@@ -212,7 +212,7 @@ TEST_CASE("Prescribed layers win over the angle of an arc, and the result says s
     CHECK(best_sweep(b, solid).source == floor);  // straight ribs of equal length are preferred
     IntervalOptions options = with_size(100);
     const IntervalAssignment free = assign(b, sweeps, options);
-    CHECK(free.layers == std::vector{4});
+    CHECK(free.layers == std::vector{6});
     CHECK(free.angles_kept);
     options.layers = 2;
     const IntervalAssignment forced = assign(b, sweeps, options);
