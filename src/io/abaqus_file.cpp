@@ -7,9 +7,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <unordered_map>
 
 namespace pavior::io {
 
@@ -221,21 +224,39 @@ private:
 
     void read_node(const std::string& line) {
         const std::vector<double> values = numbers(line, 4);
-        const auto tag = static_cast<std::size_t>(values[0]);
-        if (tag >= position_.size()) {
-            position_.resize(std::max(tag + 1, 2 * position_.size()), -1);
+        const std::size_t label = label_of(values[0]);
+        const auto place = static_cast<Index>(data_.mesh.nodes.size());
+        if (label >= dense_labels) {
+            far_position_[label] = place;
+        } else {
+            if (label >= position_.size()) {
+                position_.resize(std::min(std::max(label + 1, 2 * position_.size()), dense_labels), no_index);
+            }
+            position_[label] = place;
         }
-        position_[tag] = static_cast<std::int64_t>(data_.mesh.nodes.size());
         data_.mesh.nodes.emplace_back(values[1], values[2], values[3]);
     }
 
-    Index node_at(double value) const {
-        const auto tag = static_cast<std::size_t>(value);
-        if (tag >= position_.size() || position_[tag] < 0) {
+    /// Labels in Abaqus have up to nine digits.
+    std::size_t label_of(double value) const {
+        if (!(value >= 1 && value <= 999999999) || value != std::floor(value)) {
             throw FileError(
-                file_, "line " + std::to_string(line_number_) + ": node " + std::to_string(tag) + " does not exist");
+                file_, "line " + std::to_string(line_number_) + ": a label is no whole number from 1 to 999999999");
         }
-        return static_cast<Index>(position_[tag]);
+        return static_cast<std::size_t>(value);
+    }
+
+    Index node_at(double value) const {
+        const std::size_t label = label_of(value);
+        const auto far = far_position_.find(label);
+        const Index place = far != far_position_.end() ? far->second
+                            : label < position_.size() ? position_[label]
+                                                       : no_index;
+        if (place == no_index) {
+            throw FileError(
+                file_, "line " + std::to_string(line_number_) + ": node " + std::to_string(label) + " does not exist");
+        }
+        return place;
     }
 
     void read_element(const std::string& line) {
@@ -259,7 +280,9 @@ private:
     std::string file_;
     std::ifstream in_;
     HexMeshData data_;
-    std::vector<std::int64_t> position_;
+    static constexpr std::size_t dense_labels = std::size_t{1} << 24U;
+    std::vector<Index> position_;                          ///< of nodes by label, below dense_labels
+    std::unordered_map<std::size_t, Index> far_position_;  ///< of the others
     Section section_ = Section::other;
     int group_ = 0;
     std::size_t line_number_ = 0;

@@ -132,13 +132,13 @@ public:
 
     double read(Kind kind) { return ascii() ? lines_.number("a property") : read_binary(kind); }
 
+    [[nodiscard]] bool ascii() const { return format_ == "ascii"; }
+
     [[noreturn]] void fail(const std::string& message) const {
         throw FileError(file_, name_ + " " + std::to_string(index_) + ": " + message, {index_});
     }
 
 private:
-    [[nodiscard]] bool ascii() const { return format_ == "ascii"; }
-
     double read_binary(Kind kind) {
         const std::size_t size = size_of(kind);
         if (text_.size() - std::min(at_, text_.size()) < size) {
@@ -177,6 +177,9 @@ public:
     explicit PlyReader(Body& body) : body_(body) {}
 
     void read(const Element& element) {
+        if (element.properties.empty() && !body_.ascii()) {
+            return;  // nothing stands in the file, however many there are
+        }
         for (std::int64_t i = 0; i < element.count; ++i) {
             body_.begin(element.name, i);
             if (element.name == "vertex") {

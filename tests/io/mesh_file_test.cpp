@@ -43,6 +43,8 @@ HexMeshData two_hexes() {
     return data;
 }
 
+void write_text(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
+
 std::string content(const fs::path& file) {
     std::ostringstream text;
     text << std::ifstream(file, std::ios::binary).rdbuf();
@@ -317,7 +319,6 @@ TEST_CASE("a file appears whole or not at all") {
 }
 
 TEST_CASE("unreadable files are named") {
-    const auto write_text = [](const fs::path& file, const std::string& text) { std::ofstream(file) << text; };
     CHECK_THROWS_WITH(read_mesh(scratch() / "missing.vtu"), Catch::Contains("missing.vtu"));
     CHECK_THROWS_AS(read_mesh(scratch()), FileError);
     for (const char* name : {"garbage.vtu", "garbage.vtk", "garbage.msh", "garbage.inp"}) {
@@ -349,4 +350,21 @@ TEST_CASE("any hexahedral mesh is written, without groups") {
         {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
     write_mesh(scratch() / "view.vtk", HexMeshView{points, cells});
     CHECK(read_mesh(scratch() / "view.vtk").mesh.nodes[6] == Vec3(1, 1, 1));
+}
+
+TEST_CASE("Abaqus: labels are whole numbers of up to nine digits, however far apart") {
+    const std::string nodes =
+        "*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,0,0,1\n6,1,0,1\n20000000,1,1,1\n999999999,0,1,1\n";
+    const std::string file = scratch() / "labels.inp";
+    write_text(file, nodes + "*ELEMENT, TYPE=C3D8\n1, 1,2,3,4,5,6,20000000,999999999\n");
+    CHECK(read_mesh(file).mesh.hexes == std::vector<HexCorners>{{0, 1, 2, 3, 4, 5, 6, 7}});
+    for (const std::string label : {"-2", "0", "1.5", "nan", "1e300", "1000000000"}) {
+        CAPTURE(label);
+        write_text(file, nodes + label + ",0,0,2\n");
+        CHECK_THROWS_WITH(read_mesh(file), Catch::Contains("line 10") && Catch::Contains("label"));
+        write_text(file, nodes + "*ELEMENT, TYPE=C3D8\n1, 1,2,3,4,5,6,20000000," + label + "\n");
+        CHECK_THROWS_WITH(read_mesh(file), Catch::Contains("line 11") && Catch::Contains("label"));
+    }
+    write_text(file, nodes + "*ELEMENT, TYPE=C3D8\n1, 1,2,3,4,5,6,20000000,888888888\n");
+    CHECK_THROWS_WITH(read_mesh(file), Catch::Contains("node 888888888 does not exist"));
 }

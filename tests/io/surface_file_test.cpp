@@ -291,6 +291,12 @@ TEST_CASE("PLY: ASCII and both byte orders, doubles kept") {
     check_tetrahedron(read("a.ply", binary_ply(false)));
 }
 
+TEST_CASE("PLY: elements without properties take no room and no time, however many there are said to be") {
+    const std::string head = "ply\nformat binary_little_endian 1.0\nelement nothing 7777777777777777\n";
+    CHECK_THROWS_AS(read("empty.ply", head + "element vertex 0\nproperty float x\nend_header\n"), FileError);
+    CHECK_THROWS_AS(read("more.ply", head + "element vertex 7777777777777777\nend_header\n"), FileError);
+}
+
 TEST_CASE("Broken PLY files name the element") {
     CHECK(refusal("a.ply", "OFF\n") == "line 1: is no PLY file: it does not begin with 'ply'");
     CHECK(refusal("a.ply", "ply\nformat ascii 1.0\n") == "line 2: the file ends within its header");
