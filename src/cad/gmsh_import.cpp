@@ -173,22 +173,12 @@ EntityNames read_names(const std::filesystem::path& file) {
 
 namespace {
 
-bool inside_box(const std::array<double, 6>& box, const Vec3& point, double tolerance) {
-    for (std::size_t k = 0; k < 3; ++k) {
-        const double x = point[static_cast<Eigen::Index>(k)];
-        if (x < box[k] - tolerance || x > box[k + 3] + tolerance) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /// The named face of the original model that contains the point, or 0. \p boxes are those of its faces.
-int original_face(const GmshModel& original, const EntityNames& names,
-                  const std::map<int, std::array<double, 6>>& boxes, const Vec3& point, double tolerance) {
+int original_face(const GmshModel& original, const EntityNames& names, const std::map<int, Box<>>& boxes,
+                  const Vec3& point, double tolerance) {
     for (const auto& [entity, name] : names) {
         Vec2 uv;
-        if (entity.first != 2 || !inside_box(boxes.at(entity.second), point, tolerance) ||
+        if (entity.first != 2 || boxes.at(entity.second).square_distance(point) > tolerance * tolerance ||
             !original.project_on_face(entity.second, point, uv)) {
             continue;
         }
@@ -199,12 +189,6 @@ int original_face(const GmshModel& original, const EntityNames& names,
         }
     }
     return 0;
-}
-
-std::array<double, 6> bounding_box(int dim, int tag) {
-    std::array<double, 6> box{};
-    gmsh::model::getBoundingBox(dim, tag, box[0], box[1], box[2], box[3], box[4], box[5]);
-    return box;
 }
 
 /// A point inside the face by trial on grids, away from its boundary if there is such a one: points of boundaries lie
@@ -268,7 +252,7 @@ EntityNames imprint_solids(const GmshModel& model, const std::function<void()>& 
     }
     if (std::any_of(before.begin(), before.end(), [](const auto& entry) { return entry.first.first == 2; })) {
         const GmshModel original;
-        std::map<int, std::array<double, 6>> boxes;
+        std::map<int, Box<>> boxes;
         {
             const GmshModel::Current there(original);
             populate();
@@ -276,8 +260,7 @@ EntityNames imprint_solids(const GmshModel& model, const std::function<void()>& 
                 boxes.emplace(tag, bounding_box(dim, tag));
             }
         }
-        const std::array<double, 6> box = bounding_box(-1, -1);
-        const double diagonal = Vec3(box[3] - box[0], box[4] - box[1], box[5] - box[2]).norm();
+        const double diagonal = bounding_box().extent().norm();
         for (const auto& face : entities(2)) {
             Vec3 point;
             if (point_inside(model, face.second, point)) {

@@ -4,6 +4,7 @@
 #include "../common/gmsh_session.hpp"
 
 #include <pavior/core/error.hpp>
+#include <pavior/math/box.hpp>
 #include <pavior/math/point.hpp>
 
 #include <gmsh.h>
@@ -18,6 +19,13 @@ namespace pavior::detail {
 
 /// "face 12", "edge 3" ... with Gmsh's tag.
 std::string entity_label(int dim, int tag);
+
+/// The box that Gmsh knows round an entity of the current model; without a tag round all of them.
+inline Box<> bounding_box(int dim = -1, int tag = -1) {
+    Box<> box;
+    gmsh::model::getBoundingBox(dim, tag, box.low[0], box.low[1], box.low[2], box.high[0], box.high[1], box.high[2]);
+    return box;
+}
 
 /// Runs \p body; what Gmsh throws becomes Error(cad_failure) that names the entity.
 template <class Body>

@@ -85,9 +85,7 @@ private:
             result_.vertex_tags.push_back(tag);
             result_.vertices.push_back(model_.vertex_point(tag));
         }
-        std::array<double, 6> b{};
-        gmsh::model::getBoundingBox(-1, -1, b[0], b[1], b[2], b[3], b[4], b[5]);
-        result_.diagonal = Vec3(b[3] - b[0], b[4] - b[1], b[5] - b[2]).norm();
+        result_.diagonal = bounding_box().extent().norm();
     }
 
     [[nodiscard]] std::size_t nearest_end(int edge, const Vec3& point) const {

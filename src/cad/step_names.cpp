@@ -251,6 +251,9 @@ private:
 };
 
 void name_faces(const KernelSolid& solid, const StepSolid& step, double scale, EntityNames& names) {
+    if (std::all_of(step.faces.begin(), step.faces.end(), [](const StepFace& face) { return face.name.empty(); })) {
+        return;
+    }
     const auto found = FaceMatching(solid, step, scale).run();
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (found[i] && !step.faces[*found[i]].name.empty()) {

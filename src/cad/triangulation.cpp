@@ -57,11 +57,7 @@ void check_options(const TriangulationOptions& options) {
     }
 }
 
-double model_diagonal() {
-    std::array<double, 6> box{};
-    gmsh::model::getBoundingBox(-1, -1, box[0], box[1], box[2], box[3], box[4], box[5]);
-    return Vec3(box[3] - box[0], box[4] - box[1], box[5] - box[2]).norm();
-}
+double model_diagonal() { return detail::bounding_box().extent().norm(); }
 
 bool is_plane(int face) {
     std::string kind;

@@ -21,8 +21,6 @@
 #include <pavior/part/local_lengths.hpp>
 
 #include <iostream>
-#include <map>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,22 +72,14 @@ BlockCommand with_local_sizes(BlockCommand command, const Guard& guard) {
     return command;
 }
 
-/// \throws InputError for a local size of an edge or face that the reference mesh does not have
+/// \throws InputError for a local size of an edge or face that bounds no blocks
 void check_tags(const BlockCommand& command, const BlockReference& input) {
-    const auto check = [](const std::map<int, double>& sizes, const std::set<int>& known, const char* kind) {
-        for (const auto& [tag, size] : sizes) {
-            if (!known.contains(tag)) {
-                throw InputError(ErrorCode::bad_option, std::string("a local size for ") + kind + " " +
-                                                            std::to_string(tag) + ", which bounds no blocks");
-            }
-        }
-    };
-    std::set<int> curves;
+    std::vector<int> curves;
     for (const FeatureEdge& edge : input.mesh.curves) {
-        curves.insert(edge.curve);
+        curves.push_back(edge.curve);
     }
-    check(command.local.edge, curves, "edge");
-    check(command.local.face, {input.surface.face_tags.begin(), input.surface.face_tags.end()}, "face");
+    require_tags(command.local.edge, std::move(curves), "edge");
+    require_tags(command.local.face, input.surface.face_tags, "face");
 }
 
 FeatureOptions feature_options(const BlockCommand& command) {

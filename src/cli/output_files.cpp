@@ -2,7 +2,7 @@
 
 #include <pavior/core/error.hpp>
 
-#include <cstddef>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -13,40 +13,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// True if both names lead to one file, or would once it is there.
 bool same_file(const std::string& a, const std::string& b) {
     std::error_code error;
-    if (fs::equivalent(a, b, error)) {
-        return true;
-    }
-    const auto end_of = [](const std::string& name) {
-        std::error_code failed;
-        fs::path path = fs::absolute(name, failed);
-        for (int links = 0; links < 40 && fs::is_symlink(path, failed); ++links) {
-            const fs::path next = fs::read_symlink(path, failed);
-            path = next.is_absolute() ? next : path.parent_path() / next;
-        }
-        return fs::weakly_canonical(path, failed);
-    };
-    return end_of(a) == end_of(b);
+    return fs::equivalent(a, b, error) || fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
 }
 
 }  // namespace
 
 OutputFiles::OutputFiles(const std::string& input, const std::vector<std::string>& outputs) {
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-        if (outputs[i].empty()) {
+    std::vector<std::string> targets;
+    for (const std::string& output : outputs) {
+        if (output.empty()) {
             continue;
         }
-        if (same_file(outputs[i], input)) {
-            throw FileError(outputs[i], "is the input, and would be overwritten");
+        const std::string target = AtomicFile(output).target();
+        if (same_file(target, input)) {
+            throw FileError(output, "is the input, and would be overwritten");
         }
-        for (std::size_t j = 0; j < i; ++j) {
-            if (!outputs[j].empty() && same_file(outputs[i], outputs[j])) {
-                throw FileError(outputs[i], "is to be written twice, also as " + outputs[j]);
-            }
+        const auto twin = std::find_if(targets.begin(), targets.end(),
+                                       [&](const std::string& other) { return same_file(target, other); });
+        if (twin != targets.end()) {
+            throw FileError(output, "is to be written twice, also as " + *twin);
         }
-        const AtomicFile possible(outputs[i]);
+        targets.push_back(target);
     }
 }
 

@@ -84,7 +84,7 @@ public:
             kind = 't';
             bytes = "something unknown was thrown";
         }
-        std::fflush(nullptr);
+        std::fflush(stdout);
         const std::uint64_t size = bytes.size();
         send(descriptor, &kind, 1);
         send(descriptor, &size, sizeof size);
@@ -182,7 +182,8 @@ private:
             std::array<pollfd, 2> wait{{{descriptor_, POLLIN, 0}, {output_, POLLIN, 0}}};
             // Another thread's child may hold the pipe open after this one died: look after it now and then.
             const int ready = ::poll(wait.data(), wait.size(), collected_ ? 0 : 20);
-            if (ready > 0 && wait[1].revents != 0 && !hear() && answer_.end == ChildAnswer::End::heard) {
+            hear();
+            if (answer_.end == ChildAnswer::End::heard) {
                 return false;
             }
             if (ready > 0 && wait[0].revents == 0) {

@@ -98,7 +98,7 @@ void AtomicFile::write(const std::function<void(const std::string&)>& write) con
     }
 }
 
-void AtomicFile::finish() const {
+void AtomicFile::finish() {
     std::error_code error;
     if (!fs::is_regular_file(temporary_, error)) {
         throw FileError(file_, "could not be written");
@@ -112,10 +112,13 @@ void AtomicFile::finish() const {
     if (!arrived) {
         throw FileError(file_, std::string("could not be written to the disk: ") + std::strerror(reason));
     }
+    finished_ = true;
 }
 
 void AtomicFile::commit() {
-    finish();
+    if (!finished_) {
+        finish();
+    }
     const std::scoped_lock lock(unfinished().mutex);
     std::error_code error;
     if (unfinished().closed) {

@@ -21,15 +21,18 @@ public:
 
     /// Calls write(temporary); a FileError about that name becomes one about the file itself.
     void write(const std::function<void(const std::string& temporary)>& write) const;
+    /// The file that is made or replaced: behind the links.
+    [[nodiscard]] const std::string& target() const { return target_; }
     /// Brings what was written to the disk. \throws FileError if nothing was written, or not all of it arrives
-    void finish() const;
-    /// finish(), then puts it in place. \throws FileError
+    void finish();
+    /// finish() unless that was done, then puts it in place. \throws FileError
     void commit();
 
 private:
     std::string file_;  ///< as given, for messages
     std::string target_;
     std::string temporary_;
+    bool finished_ = false;
 };
 
 /// Calls write(temporary) with a name in the directory of \p file and with its extension, then renames the result to

@@ -26,20 +26,20 @@ inline void append_tags(const AnyModel& b, int dimension, std::size_t index, std
     }
 }
 
-/// Every tag of \p lengths is one of \p known.
-inline void check_tags(const std::map<int, double>& lengths, std::vector<int> known, const std::string& kind) {
+}  // namespace detail
+
+PAVIOR_INLINE void require_tags(const std::map<int, double>& lengths, std::vector<int> known, std::string_view kind) {
     std::sort(known.begin(), known.end());
     for (const auto& [tag, length] : lengths) {
         if (!std::binary_search(known.begin(), known.end(), tag)) {
-            refuse_length("a local size for " + kind + " " + std::to_string(tag) + ", which the model does not have" +
-                          (known.empty() ? ""
-                                         : ": its tags go from " + std::to_string(known.front()) + " to " +
-                                               std::to_string(known.back())));
+            detail::refuse_length("a local size for " + std::string(kind) + " " + std::to_string(tag) +
+                                  ", which the model does not have" +
+                                  (known.empty() ? ""
+                                                 : ": its tags go from " + std::to_string(known.front()) + " to " +
+                                                       std::to_string(known.back())));
         }
     }
 }
-
-}  // namespace detail
 
 PAVIOR_INLINE LocalLengths lengths_by_tag(const AnyModel& b, const LocalLengths& lengths) {
     LocalLengths result = lengths;
@@ -70,9 +70,9 @@ PAVIOR_INLINE LocalLengths lengths_by_tag(const AnyModel& b, const LocalLengths&
         detail::append_tags(b, 3, s.index(), solids);
         solids_called[name_of(b, s)].push_back(b.tag(3, s.index()));
     }
-    detail::check_tags(lengths.edge, std::move(edges), "edge");
-    detail::check_tags(lengths.face, std::move(faces), "face");
-    detail::check_tags(lengths.solid, std::move(solids), "solid");
+    require_tags(lengths.edge, std::move(edges), "edge");
+    require_tags(lengths.face, std::move(faces), "face");
+    require_tags(lengths.solid, std::move(solids), "solid");
     for (const auto& [name, size] : lengths.named) {
         if (name.empty() || (!faces_called.contains(name) && !solids_called.contains(name))) {
             detail::refuse_length("no face and no solid is called '" + name + "'");
