@@ -1,7 +1,4 @@
-#include "check.hpp"
-#include "commands.hpp"
-#include "output_files.hpp"
-#include "output_unit.hpp"
+#include "made_mesh.hpp"
 #include "progress_bar.hpp"
 
 #include <pavior/block/block_mesh_data.hpp>
@@ -148,54 +145,27 @@ CadDeviation deviation_of(const BlockCommand& command, const BlockReference& inp
     return result;
 }
 
-void print(const BlockCommand& command, const SolidBlocks& solid, const OutputUnit& unit, const MeshCheck& check,
-           const CadDeviation& deviation, double seconds) {
+std::string counts_with_blocks(const SolidBlocks& solid, const MeshCheck& check) {
     const BlockReport& blocks = solid.report.blocks;
-    std::string counts = std::to_string(blocks.blocks) + " blocks, " + std::to_string(blocks.nodes()) +
-                         " block nodes, " + std::to_string(blocks.sheets) + " sheets";
-    if (solid.fine) {
-        counts += "; " + counts_of(check);
-    }
-    print_summary(command.output + unit.text(), counts, check, deviation, seconds);
+    const std::string counts = std::to_string(blocks.blocks) + " blocks, " + std::to_string(blocks.nodes()) +
+                               " block nodes, " + std::to_string(blocks.sheets) + " sheets";
+    return solid.fine ? counts + "; " + counts_of(check) : counts;
 }
 
-/// Writes what may be written and says how it went.
-ExitCode finish(const BlockCommand& command, const BlockReference& input, const SolidBlocks& solid,
-                const OutputUnit& unit, Json json, double seconds, OutputFiles& files) {
-    HexMeshData data = block_mesh_data(solid, input.surface, input.cad ? "face " : "tag ");
-    const MeshCheck check = check_mesh(data.mesh, Execution{command.threads});
-    const CadDeviation deviation = deviation_of(command, input, data, check);
-    std::vector<std::string> warnings = input.warnings;
-    for (std::string& warning : warnings_of(command, solid)) {
-        warnings.push_back(std::move(warning));
-    }
-    for (std::string& warning : warnings_of(deviation)) {
-        warnings.push_back(std::move(warning));
-    }
-    const bool written = check.valid() || command.keep_invalid;
-    json["mesh"] = detail::to_json(data, check, written_format(command.output, command.format, written));
-    json["unit"] = unit.json();
-    if (written) {
-        unit.apply(data);
-        files.write(command.output,
-                    [&](const std::string& temporary) { write_mesh(temporary, data, {command.format}); });
-    }
-    json["output"] = written ? Json(command.output) : Json();
-    json["seconds"] = seconds;
-    json["deviation"] = detail::to_json(deviation);
-    json["warnings"] = warnings;
-    json["exit_code"] = static_cast<int>(check.valid() ? exit_valid : exit_invalid);
-    files.write_report(command.report, json);
-    files.commit();
-    print_warnings(warnings);
-    if (!check.valid()) {
-        print_invalid(solid.fine ? "the mesh is" : "the blocks are", check.verify.text(), written);
-        return exit_invalid;
-    }
-    if (!command.quiet) {
-        print(command, solid, unit, check, deviation, seconds);
-    }
-    return exit_valid;
+MadeMesh checked(const BlockCommand& command, BlockReference& input, const SolidBlocks& solid, Json json) {
+    MadeMesh made;
+    made.data = block_mesh_data(solid, input.surface, input.cad ? "face " : "tag ");
+    made.check = check_mesh(made.data.mesh, Execution{command.threads});
+    made.valid = made.check.valid();
+    made.what = solid.fine ? "the mesh is" : "the blocks are";
+    made.faults = made.check.verify.text();
+    made.counts = counts_with_blocks(solid, made.check);
+    made.deviation = deviation_of(command, input, made.data, made.check);
+    made.json = std::move(json);
+    made.warnings = std::move(input.warnings);
+    append(made.warnings, warnings_of(command, solid));
+    append(made.warnings, warnings_of(*made.deviation));
+    return made;
 }
 
 /// No blocks: the report says why, and the error too.
@@ -247,7 +217,7 @@ ExitCode run_block(const BlockCommand& given, Guard& guard) {
     if (!solid.report.dual.valid()) {
         refuse(command, solid, std::move(json), seconds, files);
     }
-    return finish(command, input, solid, unit, std::move(json), seconds, files);
+    return deliver(command, unit, checked(command, input, solid, std::move(json)), seconds, files);
 }
 
 }  // namespace pavior::cli

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
 #include <sstream>
 
 namespace pavior::cli {
@@ -82,6 +83,10 @@ void print_invalid(const std::string& what, const std::string& faults, bool writ
     std::cerr << "pavior: " << what << " not valid:\n"
               << faults << "\n"
               << (written ? "written because of --keep-invalid\n" : "nothing was written\n");
+}
+
+void append(std::vector<std::string>& warnings, std::vector<std::string> more) {
+    warnings.insert(warnings.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
 void print_warnings(const std::vector<std::string>& warnings) {

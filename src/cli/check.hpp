@@ -28,6 +28,9 @@ void print_summary(const std::string& file, const std::string& counts, const Mes
 /// What is wrong with a mesh, and whether it was written all the same.
 void print_invalid(const std::string& what, const std::string& faults, bool written);
 
+/// Adds \p more to the end of \p warnings.
+void append(std::vector<std::string>& warnings, std::vector<std::string> more);
+
 void print_warnings(const std::vector<std::string>& warnings);
 
 /// For Guard::set_limit(): writes a report that says that time was over.

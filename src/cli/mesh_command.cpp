@@ -1,7 +1,4 @@
-#include "check.hpp"
-#include "commands.hpp"
-#include "output_files.hpp"
-#include "output_unit.hpp"
+#include "made_mesh.hpp"
 #include "progress_bar.hpp"
 
 #include <pavior/cad/gmsh_brep.hpp>
@@ -175,37 +172,25 @@ ExitCode refuse(const MeshCommand& command, const GmshBrep& model, const PartMes
     return exit_not_meshable;
 }
 
-ExitCode finish(const MeshCommand& command, const GmshBrep& model, PartMesh& part, const OutputUnit& unit, Json json,
-                const Stopwatch& watch, OutputFiles& files) {
-    const bool written = part.valid() || command.keep_invalid;
-    json["mesh"] = detail::to_json(part.data, part.check, written_format(command.output, command.format, written));
-    json["deviation"] = detail::to_json(part.deviation);
-    if (written) {
-        unit.apply(part.data);
-        files.write(command.output,
-                    [&](const std::string& temporary) { write_mesh(temporary, part.data, {command.format}); });
-    }
-    json["output"] = written ? Json(command.output) : Json();
-    json["seconds"] = watch.total();
-    json["exit_code"] = static_cast<int>(part.valid() ? exit_valid : exit_invalid);
-    files.write_report(command.report, json);
-    files.commit();
-    print_warnings(json["warnings"].get<std::vector<std::string>>());
-    if (!part.valid()) {
-        std::string faults;
-        for (const PartDecision& decision : part.decisions) {
-            if (!decision.valid()) {
-                faults += (faults.empty() ? "" : "\n") + solids_text(model, decision.solids) + ": " +
-                          decision.tries[*decision.taken].reason;
-            }
+MadeMesh made_of(const GmshBrep& model, PartMesh part, Json json) {
+    MadeMesh made;
+    for (const PartDecision& decision : part.decisions) {
+        if (!decision.valid()) {
+            made.faults += (made.faults.empty() ? "" : "\n") + solids_text(model, decision.solids) + ": " +
+                           decision.tries[*decision.taken].reason;
         }
-        print_invalid("the mesh is", faults.empty() ? part.check.verify.text() : faults, written);
-        return exit_invalid;
     }
-    if (!command.quiet) {
-        print_summary(command.output + unit.text(), counts_of(part.check), part.check, part.deviation, watch.total());
+    made.valid = part.valid();
+    if (made.faults.empty()) {
+        made.faults = part.check.verify.text();
     }
-    return exit_valid;
+    made.counts = counts_of(part.check);
+    made.data = std::move(part.data);
+    made.check = std::move(part.check);
+    made.deviation = part.deviation;
+    made.warnings = json["warnings"].get<std::vector<std::string>>();
+    made.json = std::move(json);
+    return made;
 }
 
 }  // namespace
@@ -252,9 +237,11 @@ ExitCode run_mesh(const MeshCommand& command, Guard& guard) {
         print_tree(std::cout, model, command, part.decisions);
     }
     Json json = report_of(command, model, part);
-    json["unit"] = unit.json();
-    return part.complete() ? finish(command, model, part, unit, std::move(json), watch, files)
-                           : refuse(command, model, part, std::move(json), watch.total(), files);
+    if (!part.complete()) {
+        json["unit"] = unit.json();
+        return refuse(command, model, part, std::move(json), watch.total(), files);
+    }
+    return deliver(command, unit, made_of(model, std::move(part), std::move(json)), watch.total(), files);
 }
 
 }  // namespace pavior::cli

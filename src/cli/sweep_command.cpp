@@ -1,8 +1,5 @@
 #include "../common/file_extension.hpp"
-#include "check.hpp"
-#include "commands.hpp"
-#include "output_files.hpp"
-#include "output_unit.hpp"
+#include "made_mesh.hpp"
 #include "progress_bar.hpp"
 
 #include <pavior/cad/cap_mesh.hpp>
@@ -140,7 +137,7 @@ Swept sweep_cad_file(const SweepCommand& command, const Guard& guard, const Prog
     swept.size = options.intervals.size;
     swept.report = detail::to_json(model, made);
     swept.warnings = warnings_of(model.imprint_report());
-    swept.warnings.insert(swept.warnings.end(), made.warnings.begin(), made.warnings.end());
+    append(swept.warnings, std::move(made.warnings));
     report(progress, "comparing", 0.95);
     swept.deviation = cad_deviation(model, solids, made.mesh.mesh.nodes, made.mesh.quads, made.mesh.quad_face, 0.0,
                                     options.intervals.size);
@@ -173,44 +170,23 @@ Json options_json(const SweepCommand& command, double size) {
             {"smooth", command.smooth ? "auto" : "off"}};
 }
 
-/// Writes the mesh if it may be written.
-ExitCode finish(const SweepCommand& command, Swept& swept, const OutputUnit& unit, Guard& guard, double seconds,
-                OutputFiles& files) {
-    const MeshCheck check = check_mesh(swept.data.mesh, Execution{command.threads, guard.stop()});
-    guard.lift_limit();
-    const bool written = check.valid() || command.keep_invalid;
-    Json& json = swept.report;
-    json["mesh"] = detail::to_json(swept.data, check, written_format(command.output, command.format, written));
-    if (written) {
-        unit.apply(swept.data);
-        files.write(command.output,
-                    [&](const std::string& temporary) { write_mesh(temporary, swept.data, {command.format}); });
+/// Checks what was made.
+MadeMesh checked(const SweepCommand& command, Swept swept, Guard& guard) {
+    MadeMesh made;
+    made.check = check_mesh(swept.data.mesh, Execution{command.threads, guard.stop()});
+    made.valid = made.check.valid();
+    made.faults = made.check.verify.text();
+    made.counts = counts_of(made.check);
+    made.data = std::move(swept.data);
+    made.json = std::move(swept.report);
+    made.json["options"] = options_json(command, swept.size);
+    made.warnings = std::move(swept.warnings);
+    made.deviation = swept.deviation;
+    if (made.deviation) {
+        made.deviation->volume = made.check.verify.volume;
+        append(made.warnings, warnings_of(*made.deviation));
     }
-    json["input"] = command.input;
-    json["output"] = written ? Json(command.output) : Json();
-    json["options"] = options_json(command, swept.size);
-    json["unit"] = unit.json();
-    json["seconds"] = seconds;
-    if (swept.deviation) {
-        swept.deviation->volume = check.verify.volume;
-        json["deviation"] = detail::to_json(*swept.deviation);
-        for (std::string& warning : warnings_of(*swept.deviation)) {
-            swept.warnings.push_back(std::move(warning));
-        }
-    }
-    json["warnings"] = swept.warnings;
-    json["exit_code"] = static_cast<int>(check.valid() ? exit_valid : exit_invalid);
-    files.write_report(command.report, json);
-    files.commit();
-    print_warnings(swept.warnings);
-    if (!check.valid()) {
-        print_invalid("the mesh is", check.verify.text(), written);
-        return exit_invalid;
-    }
-    if (!command.quiet) {
-        print_summary(command.output + unit.text(), counts_of(check), check, swept.deviation, seconds);
-    }
-    return exit_valid;
+    return made;
 }
 
 }  // namespace
@@ -230,7 +206,9 @@ ExitCode run_sweep(const SweepCommand& command, Guard& guard) {
         ProgressBar bar(command.quiet);
         return problem ? sweep_problem_file(command, guard, bar.sink()) : sweep_cad_file(command, guard, bar.sink());
     }();
-    return finish(command, swept, unit, guard, watch.total(), files);
+    MadeMesh made = checked(command, std::move(swept), guard);
+    guard.lift_limit();
+    return deliver(command, unit, std::move(made), watch.total(), files);
 }
 
 }  // namespace pavior::cli

@@ -5,7 +5,9 @@
 #include <pavior/io/group_names.hpp>
 
 #include "../common/file_extension.hpp"
+#include "../common/mesh_bytes.hpp"
 #include "formats.hpp"
+#include "read_apart.hpp"
 
 #include <filesystem>
 #include <string>
@@ -109,18 +111,19 @@ HexMeshData read_mesh(const std::string& file) {
         throw FileError(file, "is a directory");
     }
     const std::string ext = detail::file_extension(file);
-    HexMeshData data = [&] {
-        if (ext == ".msh") {
-            return io::read_gmsh(file);
-        }
-        if (ext == ".inp") {
-            return io::read_abaqus(file);
-        }
-        if (ext == ".vtu" || ext == ".vtk") {
-            return io::read_vtk(file, ext == ".vtu");
-        }
+    if (!can_write_mesh(file)) {
         unknown_extension(file);
-    }();
+    }
+    HexMeshData data;
+    if (ext == ".inp") {
+        data = io::read_abaqus(file);
+    } else {
+        const std::string bytes = io::read_apart(file, [&](detail::ByteWriter& writer) {
+            detail::add_mesh(writer, ext == ".msh" ? io::read_gmsh(file) : io::read_vtk(file, ext == ".vtu"));
+        });
+        detail::ByteReader reader(bytes);
+        data = detail::get_mesh(reader);
+    }
     check_ids(file, data);
     return data;
 }

@@ -2,7 +2,9 @@
 
 #include <pavior/core/error.hpp>
 
+#include "../common/byte_arrays.hpp"
 #include "../common/file_extension.hpp"
+#include "read_apart.hpp"
 #include "tet_mesh_formats.hpp"
 
 #include <Eigen/Geometry>
@@ -202,6 +204,21 @@ private:
     std::vector<Face> faces_;
 };
 
+/// Calls visit(array) for each array of a mesh.
+template <class Mesh, class Visit>
+void for_arrays(Mesh& mesh, Visit&& visit) {
+    visit(mesh.nodes);
+    const auto visit_cells = [&](auto& cells) {
+        visit(cells.cells);
+        visit(cells.tags);
+        visit(cells.names);
+    };
+    visit_cells(mesh.tets);
+    visit_cells(mesh.triangles);
+    visit_cells(mesh.lines);
+    visit_cells(mesh.points);
+}
+
 }  // namespace
 
 bool can_read_tet_mesh(std::string_view file) {
@@ -221,7 +238,14 @@ TetMeshData read_tet_mesh_data(const std::string& file) {
         throw FileError(file, "is a directory");
     }
     const std::string ext = detail::file_extension(file);
-    return Finisher(file, ext == ".msh" ? io::read_gmsh_tets(file) : io::read_vtk_tets(file, ext == ".vtu")).run();
+    const std::string bytes = io::read_apart(file, [&](detail::ByteWriter& writer) {
+        const io::RawTetMesh raw = ext == ".msh" ? io::read_gmsh_tets(file) : io::read_vtk_tets(file, ext == ".vtu");
+        for_arrays(raw, [&](const auto& array) { writer.add(array); });
+    });
+    detail::ByteReader reader(bytes);
+    io::RawTetMesh raw;
+    for_arrays(raw, [&](auto& array) { reader.get(array); });
+    return Finisher(file, std::move(raw)).run();
 }
 
 }  // namespace pavior

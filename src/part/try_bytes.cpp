@@ -1,6 +1,6 @@
 #include "try_bytes.hpp"
 
-#include "../common/byte_arrays.hpp"
+#include "../common/mesh_bytes.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -32,29 +32,20 @@ CadDeviation deviation_of(const Json& json) {
 }  // namespace
 
 std::string to_bytes(const MethodTry& result) {
-    const HexMeshData& data = result.data;
-    Json json{{"method", static_cast<int>(result.method)},
-              {"outcome", static_cast<int>(result.outcome)},
-              {"reason", result.reason},
-              {"faces", result.faces},
-              {"seconds", result.seconds},
-              {"min_jacobian", result.min_jacobian},
-              {"hexahedra", result.hexahedra},
-              {"warnings", result.warnings},
-              {"notes", result.notes},
-              {"report", result.report},
-              {"deviation", to_json_numbers(result.deviation)},
-              {"groups", Json::array()}};
-    for (const MeshGroup& group : data.groups) {
-        json["groups"].push_back({group.dimension, group.number, group.name});
-    }
+    const Json json{{"method", static_cast<int>(result.method)},
+                    {"outcome", static_cast<int>(result.outcome)},
+                    {"reason", result.reason},
+                    {"faces", result.faces},
+                    {"seconds", result.seconds},
+                    {"min_jacobian", result.min_jacobian},
+                    {"hexahedra", result.hexahedra},
+                    {"warnings", result.warnings},
+                    {"notes", result.notes},
+                    {"report", result.report},
+                    {"deviation", to_json_numbers(result.deviation)}};
     ByteWriter writer;
     writer.add(Json::to_cbor(json));
-    writer.add(data.mesh.nodes);
-    writer.add(data.mesh.hexes);
-    writer.add(data.quads);
-    writer.add(data.hex_groups);
-    writer.add(data.quad_groups);
+    add_mesh(writer, result.data);
     writer.add(result.hex_solid);
     writer.add(result.quad_face);
     return writer.take();
@@ -77,15 +68,7 @@ MethodTry try_from_bytes(const std::string& bytes) {
     result.notes = json["notes"].get<std::vector<std::string>>();
     result.report = json["report"];
     result.deviation = deviation_of(json["deviation"]);
-    HexMeshData& data = result.data;
-    for (const Json& group : json["groups"]) {
-        data.groups.push_back({group[0].get<int>(), group[1].get<int>(), group[2].get<std::string>()});
-    }
-    reader.get(data.mesh.nodes);
-    reader.get(data.mesh.hexes);
-    reader.get(data.quads);
-    reader.get(data.hex_groups);
-    reader.get(data.quad_groups);
+    result.data = get_mesh(reader);
     reader.get(result.hex_solid);
     reader.get(result.quad_face);
     return result;

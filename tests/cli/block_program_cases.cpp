@@ -219,6 +219,9 @@ TEST_CASE("the dual can be looked at, also where it makes no blocks") {
     CHECK(report["exit_code"] == 3);
     CHECK_FALSE(report["violations"].empty());
     CHECK(report["violations"][0].contains("fault"));
+    CHECK(report["blocks"].is_null());  // there are none: nothing is said of them
+    CHECK_FALSE(report.contains("mesh"));
+    CHECK_FALSE(report.contains("deviation"));
 }
 
 TEST_CASE("feature angles decide what is a curve") {

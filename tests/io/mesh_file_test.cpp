@@ -334,6 +334,27 @@ TEST_CASE("unreadable files are named") {
     CHECK_THROWS_WITH(read_mesh(scratch() / "id.inp"), Catch::Contains("node 2"));
 }
 
+TEST_CASE("files on which Gmsh crashes and VTK crashes or loops are refused, and nothing else happens") {
+    write_text(scratch() / "seven.msh",
+               "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n7\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 2\n"
+               "7 1 1 1\n8 0 1 1\n$EndNodes\n$Elements\n1\n1 5 2 1 1 1 2 3 4 5 6 7 8\n$EndElements\n");
+    write_text(scratch() / "one_word.vtk",
+               "# vtk DataFile Version 2.0\nhex\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 double\n"
+               "0 0 0 1 0 0 1 1 0 0. 1 0 0 0 1 1 0 1 1 1 1 0 1 1\nCELLS1 2 3 4 5 6 7\nCELL_TYPES 1\n37\n");
+    write_text(scratch() / "no_components.vtu",
+               "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"><UnstructuredGrid>"
+               "<Piece NumberOfPoints=\"8\" NumberOfCells=\"1\"><Points><DataArray type=\"Float64\" "
+               "NumberOfComponents=\" \" format=\"ascii\">0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1</DataArray>"
+               "</Points><Cells><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2 3 4 5 6 7"
+               "</DataArray><DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">8</DataArray>"
+               "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">13</DataArray></Cells></Piece>"
+               "</UnstructuredGrid></VTKFile>");
+    for (const char* name : {"seven.msh", "one_word.vtk", "no_components.vtu"}) {
+        CAPTURE(name);
+        CHECK_THROWS_WITH(read_mesh(scratch() / name), Catch::Contains(name));
+    }
+}
+
 TEST_CASE("any hexahedral mesh is written, without groups") {
     const HexMesh box = shapes::hex_box(2, 1, 2);  // halves are floats
     for (const char* name : {"any.vtu", "any.msh", "any.inp"}) {

@@ -202,3 +202,10 @@ TEST_CASE("Files that hold no tetrahedra") {
     CHECK(refusal("a.vtk", empty.substr(0, empty.find("POINTS")) + "POINTS 0 double\n").find("holds no points") !=
           std::string::npos);
 }
+
+TEST_CASE("A file of fewer nodes than it says, on which Gmsh crashes, is refused") {
+    CHECK_FALSE(refusal("three.msh",
+                        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"
+                        "$EndNodes\n$Elements\n1\n1 4 2 1 1 1 2 3 4\n$EndElements\n")
+                    .empty());
+}

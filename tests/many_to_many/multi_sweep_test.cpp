@@ -98,6 +98,19 @@ TEST_CASE("twice the same bytes, whatever the threads") {
     CHECK(std::memcmp(a.mesh.nodes.data(), b.mesh.nodes.data(), sizeof(Vec3) * a.mesh.nodes.size()) == 0);
 }
 
+TEST_CASE("a body without height is refused with its face") {
+    const PolygonBody flat({bottom(1, {box(0, 0, 0.25, 0.25)}), top(1, {box(0, 0, 0.25, 0.25)})});
+    MultiSweepOptions options;
+    options.size = 0.5;
+    try {
+        (void)multi_sweep(flat.body(), flat, options, imprint, solved, GmshRegionMesher{});
+        FAIL("it is not refused");
+    } catch (const UnmeshableError& error) {
+        CHECK(error.code() == ErrorCode::not_sweepable);
+        CHECK(error.ids().size() == 1);
+    }
+}
+
 TEST_CASE("bad options and empty bodies are the caller's mistakes") {
     const PolygonBody body(steps());
     MultiSweepOptions options;

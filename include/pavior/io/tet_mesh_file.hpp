@@ -29,7 +29,7 @@ struct TetMeshData {
 ///   .msh       linear elements of those types; tags are the first physical group of their entity, else its number
 /// Triangles of the file give their tags to the boundary faces (0 where the file has none); those inside are walls.
 /// Tetrahedra of negative volume are turned, nodes of no tetrahedron dropped; otherwise the order of the file is kept.
-/// Nothing is welded. O(n log n).
+/// Nothing is welded. Gmsh and VTK read in a process of their own, as for read_mesh(). O(n log n).
 /// \throws FileError naming cell or node: no tetrahedra, other cells of volume, corners that do not exist or repeat, a
 ///         coordinate that is not finite, a tetrahedron without volume, a face of more than two tetrahedra, a triangle
 ///         or line that is no face or edge of a tetrahedron

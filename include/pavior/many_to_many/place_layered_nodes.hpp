@@ -62,6 +62,12 @@ private:
                 for (std::size_t q = plane_.cell_quads[cell]; q < plane_.cell_quads[cell + 1]; ++q) {
                     for (const Index p : plane_.quads[q]) {
                         const Index node = id(p, levels_.caps[c]);
+                        if (node == no_index) {
+                            throw UnmeshableError(ErrorCode::not_sweepable,
+                                                  "face " + std::to_string(body_.caps[c].tag) +
+                                                      " bounds a part of the solid that has no height",
+                                                  {body_.caps[c].tag});
+                        }
                         if (how_[node] == NodePlace::none) {
                             const Vec2 at = places_[node].head<2>();
                             put(node, {at[0], at[1], geometry_.cap_height(c, at)}, NodePlace::cap);

@@ -43,6 +43,7 @@ struct LocalLengths {
 /// Lengths are in the unit of the model, seconds are wall time. Tags are the numbers by which users of the CAD file
 /// know the entities (brep::tag).
 struct PartOptions {
+    double size = 0;          ///< wished length of mesh edges; 0: diagonal / 12
     LocalLengths local = {};  ///< others for some edges, faces and solids
     /// Curved edges turn by at most so many degrees from one mesh edge to the next, whatever the size; 1 to 90.
     double max_angle = 30;

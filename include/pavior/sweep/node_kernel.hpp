@@ -8,7 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#if defined(__x86_64__) && defined(__GNUC__) && defined(__has_builtin)
+// PAVIOR_SCALAR_KERNELS: no vectors, to compare with.
+#if defined(__x86_64__) && defined(__GNUC__) && defined(__has_builtin) && !defined(PAVIOR_SCALAR_KERNELS)
 #if __has_builtin(__builtin_shufflevector)
 #define PAVIOR_HAS_VECTOR_KERNELS
 #endif
