@@ -29,7 +29,7 @@ set(may_include_io core math mesh sweep contributions)
 
 # Sources: src/<room> includes what the public room includes, that room, and these folders of src.
 set(source_rooms common compiled tetra glpk imprint cad io report part cli)
-set(may_include_src_common core math)
+set(may_include_src_common core math mesh)
 set(may_include_src_compiled core math affine dual) # templates, for the types in use
 set(may_include_src_tetra ${may_include_tetra} tetra src_common)
 set(may_include_src_glpk core intervals glpk)

@@ -188,6 +188,6 @@ TEST_CASE("triangles of a CAD model carry the names of its faces") {
     for (const auto& [tag, name] : made.surface.face_names) {
         names.insert(name);
     }
-    CHECK(names == std::multiset<std::string>{"\xE5\x85\xA5\xE5\x8F\xA3", "in let", "in-let", "wall", "wall", "1inlet",
-                                              "1inlet"});
+    CHECK(names ==
+          std::multiset<std::string>{"\xE5\x85\xA5\xE5\x8F\xA3", "in let", "in-let", "wall", "wall", "1inlet"});
 }

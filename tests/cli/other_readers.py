@@ -97,7 +97,7 @@ def main():
                           "c.msh": ["--format", "msh2"], "d.msh": ["--format", "msh2-ascii"], "a.inp": []}.items():
         file = scratch / name
         groups = mesh(program, part, file, *options)
-        assert len(set(groups.values())) == len(groups) == 15, groups
+        assert len(set(groups.values())) == len(groups) == 14, groups
         if reference is None:
             reference = with_vtk(file)
             assert len(reference[1]["hexahedron"][0]) > 0 and len(reference[1]["quad"][0]) > 0

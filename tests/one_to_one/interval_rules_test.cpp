@@ -44,8 +44,8 @@ TEST_CASE("Seams need no rule, arcs have a least number") {
     const auto lowest = std::minmax_element(builder.system().edges.begin(), builder.system().edges.end(),
                                             [](const auto& p, const auto& q) { return p.lower < q.lower; });
     CHECK(lowest.first->lower == 1);
-    CHECK(lowest.second->lower == 8);
-    CHECK(lowest.second->wish == Approx(8).epsilon(0.01));
+    CHECK(lowest.second->lower == 12);  // 30 degrees each
+    CHECK(lowest.second->wish == Approx(12).epsilon(0.01));
 }
 
 TEST_CASE("Rules name faces and edges by the user's tags") {
