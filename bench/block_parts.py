@@ -57,7 +57,7 @@ def run(part, name, *options):
 def counts(code, report):
     if code is None:
         return "time limit"
-    blocks = report.get("blocks", {})
+    blocks = report.get("blocks") or {}
     return f"{blocks['blocks']} / {blocks['nodes']}" if blocks.get("blocks") else "none"
 
 
