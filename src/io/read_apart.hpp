@@ -1,5 +1,5 @@
 #pragma once
-// Readers of foreign code: a broken file makes Gmsh and VTK crash, hang or leak, so they read in a process of their own.
+// Readers of foreign code in a process of their own: a broken file makes Gmsh and VTK crash, hang or leak.
 
 #include "../common/byte_arrays.hpp"
 

@@ -53,8 +53,8 @@ void write_mesh(const std::string& file, const M& mesh, const MeshWriteOptions& 
 }
 
 /// Reads the linear hexahedra (and quads) of \p file: .vtu .vtk .msh .inp. Other volume cells are refused, since they
-/// could not be judged; lines, points and triangles are skipped. Gmsh and VTK read in a process of their own, since they
-/// crash or hang on some broken files; it is given up after 10 s and one more for each 100 kB.
+/// could not be judged; lines, points and triangles are skipped. Gmsh and VTK, which crash or hang on broken files,
+/// read in a process of their own; it is given up after 10 s and one more for each 100 kB.
 /// \throws FileError naming the file and what is wrong with it
 [[nodiscard]] HexMeshData read_mesh(const std::string& file);
 
