@@ -203,6 +203,10 @@ public:
                 break;
             }
         }
+        least = finish(least);
+        for (const Index i : left_) {
+            places_.on[i] = {0, -1, Vec2::Zero()};
+        }
         return least;
     }
 
@@ -210,66 +214,87 @@ private:
     /// What the next better mesh is not worth the time for.
     [[nodiscard]] double enough() const { return std::max(0.3, options_.sufficient); }
 
-    [[nodiscard]] std::vector<std::size_t> inverted() const {
-        std::vector<std::size_t> ids;
-        for (std::size_t h = 0; h < mesh_.hexes.size(); ++h) {
-            HexPoints x;
-            for (std::size_t k = 0; k < 8; ++k) {
-                x[k] = mesh_.nodes[mesh_.hexes[h][k]];
-            }
-            if (!(hex_scaled_jacobian(x) > 1e-3)) {
-                ids.push_back(h);
-            }
+    [[nodiscard]] double quality(std::size_t h) const {
+        HexPoints x;
+        for (std::size_t k = 0; k < 8; ++k) {
+            x[k] = mesh_.nodes[mesh_.hexes[h][k]];
         }
-        return ids;
+        return hex_scaled_jacobian(x);
     }
 
+    /// All nodes whose move leaves the hexahedra positive, the others as far as they can once there is more room.
     void move_to_model() {
-        mesh_.nodes = places_.wanted;
+        for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) {
+            if (places_.wanted[i] != places_.straight[i]) {
+                left_.push_back(static_cast<Index>(i));
+            }
+        }
         constexpr int rounds = 6;
-        for (int round = 0; !inverted().empty(); ++round) {
-            if (!late_()) {
-                static_cast<void>(raise(false, 10));
-            }
-            if (!late_() && !inverted().empty()) {
-                static_cast<void>(raise(true, 10));
-            }
-            if (const std::vector<std::size_t> bad = inverted(); !bad.empty()) {
-                take_back(bad, round < rounds && !late_() ? round : -1);
-            }
-            if (round >= rounds || late_()) {
+        static_cast<void>(advance());
+        for (int round = 0; round < rounds && !left_.empty() && !late_(); ++round) {
+            static_cast<void>(raise(false, 10));
+            if (advance() == 0) {
                 break;
             }
         }
     }
 
-    /// The nodes of hexahedra, and of so many rings round them (-1: of all), go back to the tetrahedra.
-    void take_back(const std::vector<std::size_t>& hexes, int rings) {
-        std::vector<char> back(mesh_.nodes.size(), static_cast<char>(rings < 0));
-        for (const std::size_t h : hexes) {
-            for (const Index i : mesh_.hexes[h]) {
-                back[i] = 1;
-            }
+    /// The last try for nodes that are left, unless that costs more than it is worth.
+    double finish(double least) {
+        const std::vector<Vec3> saved = mesh_.nodes;
+        const std::vector<Index> left = left_;
+        if (left_.empty() || advance(true) == 0) {
+            return least;
         }
-        for (int ring = 0; ring < rings; ++ring) {
-            const std::vector<char> before = back;
-            for (const HexCorners& hex : mesh_.hexes) {
-                if (std::any_of(hex.begin(), hex.end(), [&](Index i) { return before[i] != 0; })) {
+        const double now = raise(true, 10);
+        if (now >= std::min(least, options_.sufficient) || (left_.empty() && now >= 0.5 * least)) {
+            return now;
+        }
+        mesh_.nodes = saved;
+        left_ = left;
+        return least;
+    }
+
+    /// Moves the nodes that are left the whole way, or a half or a quarter of it, unless a hexahedron falls below a
+    /// limit. \return how many nodes arrived
+    std::size_t advance(bool whole_way = false) {
+        constexpr double least = 0.02;
+        const std::size_t before = left_.size();
+        for (const double part : {1.0, 0.5, 0.25}) {
+            if (left_.empty() || (whole_way && part < 1.0)) {
+                break;
+            }
+            std::vector<double> limit(mesh_.hexes.size());
+            for (std::size_t h = 0; h < limit.size(); ++h) {
+                limit[h] = std::min(least, 0.5 * quality(h));
+            }
+            const std::vector<Vec3> saved = mesh_.nodes;
+            std::vector<char> moved(mesh_.nodes.size(), 0);
+            for (const Index i : left_) {
+                moved[i] = 1;
+                mesh_.nodes[i] =
+                    part == 1.0 ? places_.wanted[i] : Vec3(saved[i] + part * (places_.wanted[i] - saved[i]));
+            }
+            for (bool changed = true; changed;) {
+                changed = false;
+                for (std::size_t h = 0; h < limit.size(); ++h) {
+                    const HexCorners& hex = mesh_.hexes[h];
+                    const bool any = std::any_of(hex.begin(), hex.end(), [&](Index i) { return moved[i] != 0; });
+                    if (!any || quality(h) >= limit[h]) {
+                        continue;
+                    }
                     for (const Index i : hex) {
-                        back[i] = 1;
+                        mesh_.nodes[i] = saved[i];
+                        changed = changed || moved[i] != 0;
+                        moved[i] = 0;
                     }
                 }
             }
-        }
-        for (std::size_t i = 0; i < back.size(); ++i) {
-            if (back[i] == 0) {
-                continue;
-            }
-            mesh_.nodes[i] = places_.straight[i];
-            if (places_.wanted[i] != places_.straight[i]) {
-                places_.on[i] = {0, -1, Vec2::Zero()};
+            if (part == 1.0) {
+                std::erase_if(left_, [&](Index i) { return moved[i] != 0; });
             }
         }
+        return before - left_.size();
     }
 
     /// improve_hexes() with the boundary fixed, or sliding. \return the least scaled Jacobian
@@ -282,7 +307,11 @@ private:
         const std::span<Vec3> nodes(mesh_.nodes);
         const std::span<const HexCorners> hexes(mesh_.hexes);
         if (sliding) {
-            const EntityGuide guide(b_, places_.on, 1e-8 * options_.size);
+            std::vector<NodeEntity> on = places_.on;
+            for (const Index i : left_) {
+                on[i] = {0, -1, Vec2::Zero()};
+            }
+            const EntityGuide guide(b_, std::move(on), 1e-8 * options_.size);
             return improve_hexes(nodes, hexes, guide, own).min_det_after;
         }
         std::vector<std::uint8_t> fixed(nodes.size());
@@ -297,6 +326,7 @@ private:
     const std::function<bool()>& late_;
     HexMesh& mesh_;
     SplitPlaces& places_;
+    std::vector<Index> left_;  ///< nodes that are not where the model wants them, ascending
 };
 
 /// What is tried, the first as a rule sufficient: lengths in parts of twice the wished one.
@@ -306,8 +336,12 @@ private:
         double turn;  ///< part of the largest angle
         int variant;
     };
-    constexpr std::array<Candidate, 5> candidates{
-        {{1.0, 0.35, 1.0, 0}, {0.8, 0.35, 1.0, 1}, {0.6, 0.3, 0.75, 0}, {1.3, 0.4, 1.0, 1}, {0.45, 0.25, 0.5, 2}}};
+    constexpr std::array<Candidate, 6> candidates{{{1.0, 0.35, 1.0, 0},
+                                                   {0.9, 0.35, 1.0, 0},
+                                                   {1.1, 0.5, 1.0, 0},
+                                                   {0.75, 0.35, 1.0, 1},
+                                                   {1.4, 0.5, 1.0, 0},
+                                                   {0.6, 0.3, 0.75, 0}}};
     std::vector<TetSizes> result;
     for (const Candidate& c : candidates) {
         TetSizes sizes;
