@@ -7,4 +7,5 @@
 #include <pavior/block/dualize.hpp>        // from a cell complex to blocks
 #include <pavior/block/place_blocks.hpp>   // coordinates for the nodes of blocks
 #include <pavior/block/refine_blocks.hpp>  // the fine mesh inside the blocks, on the geometry
+#include <pavior/block/split_tets.hpp>     // every tetrahedron as four hexahedra
 #include <pavior/block/verify_blocks.hpp>  // are these blocks a valid mesh of the solid?

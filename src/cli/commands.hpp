@@ -62,6 +62,7 @@ struct BlockCommand : MakeCommand {
 /// Options of `pavior mesh`.
 struct MeshCommand : SolidsCommand {
     std::optional<PartMethod> method;  ///< unset: each in turn
+    bool last_resort = true;
     bool explain = false;
 };
 

@@ -201,12 +201,14 @@ void add_mesh(CLI::App& app, MeshCommand& command) {
     const std::map<std::string, std::optional<PartMethod>> methods{
         {"auto", std::nullopt},       {"submap", PartMethod::submap},
         {"sweep", PartMethod::sweep}, {"multi-sweep", PartMethod::multi_sweep},
-        {"mixed", PartMethod::mixed}, {"block", PartMethod::block}};
+        {"mixed", PartMethod::mixed}, {"block", PartMethod::block},
+        {"split", PartMethod::split}};
     add_choice(
         app, "--method", command.method, methods,
         "auto (default): submapping, one-to-one sweep, many-to-many sweep, mixed (touching solids each by "
         "its own method), blocks, until one gives a valid mesh with scaled Jacobians of 0.2 or more, else the best "
-        "of them");
+        "of them; the last resort, where none is valid: tetrahedra, each split in four (split)");
+    app.add_flag("!--no-split", command.last_resort, "no last resort: refuse what no other method meshes");
     app.add_flag("--explain", command.explain, "print what was tried, and why it was taken or refused, as a tree");
 }
 

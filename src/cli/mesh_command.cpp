@@ -31,7 +31,7 @@ std::string plain(double value) {
 /// "refused (0.01 s): not_submappable: ... [faces 3, 4]"
 std::string line_of(const MethodTry& attempt, bool taken) {
     std::string text(to_string(attempt.method));
-    text.append(": ");
+    text.append(attempt.method == PartMethod::split ? ": last resort, " : ": ");
     if (attempt.outcome == TryOutcome::not_tried) {
         return text.append(attempt.reason);
     }
@@ -124,6 +124,7 @@ Json report_of(const MeshCommand& command, const GmshBrep& model, const PartMesh
     Json json{{"input", command.input}, {"output", Json()}, {"decisions", Json::array()}};
     json["options"] = {{"size", command.size > 0 ? command.size : model.diagonal() / 12},
                        {"method", command.method ? Json(to_string(*command.method)) : Json("auto")},
+                       {"last_resort", !command.method && command.last_resort},
                        {"max_angle", command.max_angle},
                        {"imprint_tolerance", command.imprint_tolerance},
                        {"timeout", command.timeout ? Json(*command.timeout) : Json()},
@@ -215,6 +216,7 @@ ExitCode run_mesh(const MeshCommand& command, Guard& guard) {
     options.node_entities = false;  // no format of ours holds them
     options.execution = Execution{command.threads, guard.stop()};
     options.progress = bar.sink();
+    options.last_resort = command.last_resort;
     if (command.method) {
         options.methods = {*command.method};
     }

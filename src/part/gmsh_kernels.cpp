@@ -4,6 +4,7 @@
 
 #include <pavior/cad/cap_mesh.hpp>
 #include <pavior/cad/region_quads.hpp>
+#include <pavior/cad/tetrahedra.hpp>
 #include <pavior/glpk/solve_program.hpp>
 #include <pavior/imprint/imprint.hpp>
 #include <pavior/part/any_model.hpp>
@@ -38,8 +39,15 @@ void describe(std::string& text, const AnyModel& model, const MethodReport& repo
 }
 
 Kernels gmsh_kernels(const GmshBrep& model) {
-    return {imprint, GlpkSolver{{10, {}}}, GmshRegionMesher{}, GmshCapMesher{&model}, GmshReferenceMesher{&model},
-            describe};
+    return {imprint,
+            GlpkSolver{{10, {}}},
+            GmshRegionMesher{},
+            GmshCapMesher{&model},
+            GmshReferenceMesher{&model},
+            describe,
+            [&model](std::span<const SolidId> solids, const TetSizes& sizes) {
+                return tetrahedra_of(model, solids, sizes);
+            }};
 }
 
 }  // namespace pavior::detail

@@ -58,7 +58,7 @@ MethodTry try_in_child(PartMethod method, const GmshBrep& model, std::span<const
     const auto no_time = [&] { return seconds > 0 && watch.total() > seconds; };
     const auto task = [&] {
         MadeInTime guard(seconds);
-        const TryTimes times{late, no_time, [&] { guard.made(); }};
+        const TryTimes times{late, no_time, [&] { guard.made(); }, seconds};
         return detail::to_bytes(try_method(method, model, solids, options, detail::gmsh_kernels(model), times));
     };
     const double to_check = seconds > 0 ? std::max(2.0, 0.2 * seconds) : 0;

@@ -3,6 +3,7 @@
 #include <pavior/many_to_many/multi_sweep_model.hpp>
 #include <pavior/part/any_model.hpp>
 #include <pavior/part/mixed_solids.hpp>
+#include <pavior/part/split_solids.hpp>
 #include <pavior/part/sweep_solids.hpp>
 #include <pavior/submap/submap_model.hpp>
 
@@ -96,6 +97,27 @@ Json to_json(const AnyModel& model, const MixedSolids& mesh) {
     Json json{{"solids", Json::array()}};
     for (const auto& [solid, method] : mesh.methods) {
         json["solids"].push_back({{"solid", model.tag(3, solid.index())}, {"method", to_string(method)}});
+    }
+    return json;
+}
+
+Json to_json(const AnyModel& /*model*/, const SplitSolids& mesh) {
+    Json json{{"last_resort", true},
+              {"taken", mesh.taken},
+              {"out_of_time", mesh.out_of_time},
+              {"limit", mesh.limit},
+              {"attempts", Json::array()}};
+    for (const SplitAttempt& attempt : mesh.attempts) {
+        const bool made = attempt.error.empty();
+        json["attempts"].push_back({{"size", attempt.sizes.size},
+                                    {"least_size", attempt.sizes.least},
+                                    {"per_turn", attempt.sizes.per_turn},
+                                    {"variant", attempt.sizes.variant},
+                                    {"tetrahedra", attempt.tets},
+                                    {"scaled_jacobian_as_split", made ? Json(attempt.split_jacobian) : Json()},
+                                    {"scaled_jacobian", made ? Json(attempt.min_jacobian) : Json()},
+                                    {"nodes_off", attempt.off},
+                                    {"error", attempt.error}});
     }
     return json;
 }

@@ -24,6 +24,7 @@ struct SweptSolids;
 struct SubmappedMesh;
 struct BestMultiSweep;
 struct MixedSolids;
+struct SplitSolids;
 struct CadDeviation;
 class AnyModel;
 
@@ -40,6 +41,7 @@ namespace detail {
 [[nodiscard]] nlohmann::json to_json(const AnyModel& model, const SubmappedMesh& mesh);
 [[nodiscard]] nlohmann::json to_json(const AnyModel& model, const BestMultiSweep& best);
 [[nodiscard]] nlohmann::json to_json(const AnyModel& model, const MixedSolids& mesh);
+[[nodiscard]] nlohmann::json to_json(const AnyModel& model, const SplitSolids& mesh);
 
 /// Volumes, distance, and both in parts of what they are measured by; null where unknown.
 [[nodiscard]] nlohmann::json to_json(const CadDeviation& deviation);

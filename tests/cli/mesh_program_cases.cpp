@@ -99,7 +99,8 @@ TEST_CASE("mesh: a many-to-many part is swept from cap to cap, and --explain say
     CHECK(run.out.find("   |- submap: refused (") != std::string::npos);
     CHECK(run.out.find("[faces 7]") != std::string::npos);
     CHECK(run.out.find("   |- multi-sweep: valid mesh, taken (") != std::string::npos);
-    CHECK(run.out.find("   `- block: not needed\n") != std::string::npos);
+    CHECK(run.out.find("   |- block: not needed\n") != std::string::npos);
+    CHECK(run.out.find("   `- split: last resort, not needed\n") != std::string::npos);
 }
 
 TEST_CASE("mesh: what no sweep reaches becomes blocks") {
@@ -160,6 +161,53 @@ TEST_CASE("mesh: the time limit strikes, and the answer says so") {
     CHECK(json["decisions"][0]["out_of_time"] == true);
     CHECK(tried(json, "submap")["outcome"] == "timed_out");
     CHECK(tried(json, "block")["outcome"] == "timed_out");
+    CHECK_FALSE(tried(json, "split")["outcome"] == "not_tried");  // these are too many tetrahedra, too
+}
+
+TEST_CASE("mesh: what nothing else meshes is split as the last resort, and says so; --no-split refuses it") {
+    const std::string model = made("bowl.step", [] {
+        const int block = occ::addBox(0, 0, 0, 6, 6, 4);
+        const int ball = occ::addSphere(3, 3, 4.5, 2.2);
+        const int hole = occ::addCylinder(-1, 3, 1, 8, 0, 0, 0.6);
+        gmsh::vectorpair out;
+        std::vector<gmsh::vectorpair> map;
+        occ::cut({{3, block}}, {{3, ball}, {3, hole}}, out, map);
+    });
+    const std::string mesh = scratch_file("split.vtu");
+    const std::string report = scratch_file("split.json");
+    const std::string command = "mesh " + model + " --size 0.6 -o " + mesh + " --report " + report;
+    const ProgramRun run = run_program(command + " --method split --explain");
+    CAPTURE(run.err);
+    REQUIRE(run.code == 0);
+    CHECK(run.out.find("`- split: last resort, valid mesh, taken (") != std::string::npos);
+    CHECK(run.out.find("- last resort: tetrahedra, each split in four\n") != std::string::npos);
+    const auto json = json_of(report);
+    CHECK(json["decisions"][0]["method"] == "split");
+    CHECK(json["options"]["method"] == "split");
+    const auto details = tried(json, "split")["details"];
+    CHECK(details["last_resort"] == true);
+    CHECK(4 * details["attempts"][details["taken"].get<std::size_t>()]["tetrahedra"].get<std::size_t>() ==
+          json["mesh"]["hexahedra"]);
+    const HexMeshData data = read_mesh(mesh);
+    CHECK(verify_hexes(data.mesh).ok());
+    CHECK(std::set<int>(data.quad_groups.begin(), data.quad_groups.end()).size() == 8);
+    CHECK(json["mesh"]["quality"]["scaled_jacobian"]["min"].get<double>() > 0.1);
+    CHECK(json["deviation"]["distance_in_sizes"].get<double>() < 0.25);
+
+    const std::string hard =
+        "mesh " + example("hexme/i14o_s7.step") + " --timeout 20 -o " + mesh + " --report " + report;
+    const ProgramRun refused = run_program(hard + " --no-split --method auto");
+    const auto without = json_of(report);
+    CHECK(without["options"]["last_resort"] == false);
+    for (const auto& one : without["decisions"][0]["tries"]) {
+        CHECK(one["method"] != "split");
+    }
+    const ProgramRun split = run_program(hard);
+    CAPTURE(split.err);
+    CHECK(split.code == 0);
+    const auto with = json_of(report);
+    CHECK(with["options"]["last_resort"] == true);
+    CHECK((with["decisions"][0]["method"] == "split") == (refused.code != 0));
 }
 
 TEST_CASE("mesh: an invalid mesh exits with 1 and is only written on demand") {

@@ -43,10 +43,12 @@ TEST_CASE("The first good mesh ends the search, what follows is not needed") {
     Script script{{{PartMethod::sweep, {TryOutcome::mesh, 0.4}}}};
     const PartDecision decision = run(script, {});
     CHECK(script.asked == std::vector{PartMethod::submap, PartMethod::sweep});
-    CHECK(decision.tries.size() == 5);
+    CHECK(decision.tries.size() == 6);
     CHECK(decision.taken == 1);
     CHECK(decision.valid());
     CHECK(decision.tries[4].reason == "not needed");
+    CHECK(decision.tries[5].method == PartMethod::split);
+    CHECK(decision.tries[5].reason == "not needed");
 }
 
 TEST_CASE("Of poor meshes the best is taken and the others are dropped; an invalid one only for want of a valid one") {
@@ -56,6 +58,7 @@ TEST_CASE("Of poor meshes the best is taken and the others are dropped; an inval
                    {PartMethod::block, {TryOutcome::mesh, 0.05}}}};
     const PartDecision decision = run(script, {});
     CHECK(decision.taken == 2);
+    CHECK(script.asked.back() == PartMethod::block);  // no last resort beside a valid mesh, however poor
     for (std::size_t i = 0; i < decision.tries.size(); ++i) {
         CHECK(decision.tries[i].data.mesh.nodes.size() == (i == 2 ? 1U : 0U));
     }
@@ -79,7 +82,7 @@ TEST_CASE("What is sufficient, and which methods are tried in which order, can b
 
 TEST_CASE("Mixed is for several solids, unless it is asked for by itself") {
     Script script;
-    CHECK(run(script, {}, 1).tries.size() == 4);
+    CHECK(run(script, {}, 1).tries.size() == 5);
     PartOptions options;
     options.methods = {PartMethod::mixed};
     Script alone;
@@ -101,9 +104,54 @@ TEST_CASE("A method that others follow gets half of what is left, the last one a
     CHECK(endless.seconds == std::vector{0.0, 0.0});
 }
 
+TEST_CASE("The last resort is tried where nothing is valid, with a fifth of the time kept for it; or not at all") {
+    Script script{
+        {{PartMethod::multi_sweep, {TryOutcome::invalid, -0.1}}, {PartMethod::split, {TryOutcome::mesh, 0.15}}}};
+    PartOptions options;
+    options.seconds = 50;
+    const PartDecision decision = run(script, options, 1);
+    CHECK(decision.valid());
+    CHECK(decision.tries[*decision.taken].method == PartMethod::split);
+    REQUIRE(script.asked.size() == 5);
+    CHECK(script.seconds[0] == Approx(20).epsilon(0.01));
+    CHECK(script.seconds[3] == Approx(40).epsilon(0.01));
+    CHECK(script.seconds[4] == Approx(50).epsilon(0.01));
+    options.last_resort = false;
+    Script without;
+    CHECK_FALSE(run(without, options, 1).taken);
+    CHECK(without.asked.back() == PartMethod::block);
+    CHECK(without.seconds.back() == Approx(50).epsilon(0.01));
+    options.methods = {PartMethod::split, PartMethod::submap};
+    Script named{{{PartMethod::split, {TryOutcome::mesh, 0.15}}}};
+    CHECK(run(named, options, 1).taken == 0);
+    CHECK(named.asked == options.methods);
+}
+
+TEST_CASE("What others use up of the time, the last resort has nevertheless") {
+    PartOptions options;
+    options.seconds = 0.02;
+    double given = 0;
+    const PartDecision decision = decide({SolidId{0}}, options, [&](PartMethod method, double seconds) {
+        MethodTry result;
+        result.method = method;
+        result.outcome = TryOutcome::timed_out;
+        if (method == PartMethod::split) {
+            given = seconds;
+            result.outcome = TryOutcome::mesh;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(30));
+        return result;
+    });
+    CHECK(decision.valid());
+    CHECK(decision.out_of_time);
+    CHECK(given == Approx(0.002));
+    CHECK(decision.tries.size() == 5);
+}
+
 TEST_CASE("When the time is over nothing more is tried, and the decision says so") {
     PartOptions options;
     options.seconds = 1e-3;
+    options.last_resort = false;
     std::size_t asked = 0;
     const PartDecision decision = decide({SolidId{0}}, options, [&](PartMethod, double) {
         ++asked;

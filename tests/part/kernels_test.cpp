@@ -22,6 +22,8 @@ struct Tetrahedra {
 TEST_CASE("Any callables make a bundle, those that cannot be copied by reference") {
     static_assert(reference_mesher<Tetrahedra>);
     static_assert(!reference_mesher<int>);
+    static_assert(tet_mesher<TetMesher>);
+    static_assert(!tet_mesher<Tetrahedra>);
     const auto imprint = [](const PlaneCurves&, const ImprintOptions&) { return PlaneArrangement{}; };
     archetype::Callable<IntegerSolution(const IntegerProgram&)> solver([](const IntegerProgram&) {
         return IntegerSolution{ProgramStatus::infeasible, 0, {}};
@@ -33,4 +35,5 @@ TEST_CASE("Any callables make a bundle, those that cannot be copied by reference
     CHECK(kernels.solver(IntegerProgram{}).status == ProgramStatus::infeasible);
     CHECK(solver.calls() == 1);
     CHECK_FALSE(kernels.describe);
+    CHECK_FALSE(kernels.tets);
 }

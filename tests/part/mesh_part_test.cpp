@@ -3,6 +3,7 @@
 #include "support/archetypes.hpp"
 #include "support/catch.hpp"
 #include "support/grid_cap.hpp"
+#include "support/model_tets.hpp"
 #include "support/test_brep.hpp"
 
 #include <pavior/cad/region_quads.hpp>
@@ -124,6 +125,51 @@ TEST_CASE("What cannot be meshed has a reason for each method, and the faces") {
     }
     CHECK_FALSE(part.decisions[0].tries[1].faces.empty());
     CHECK_THAT(reason_of(part), Catch::Contains("block: ") && Catch::Contains("no tetrahedra here"));
+}
+
+TEST_CASE("With tetrahedra every solid has a mesh, as the last resort, which is named; unless it is forbidden") {
+    TestBrep b;
+    add_pyramid(b);
+    Kernels own = kernels(b);
+    own.tets = [&](std::span<const SolidId>, const TetSizes&) { return pyramid_tets(b); };
+    PartOptions options = with_size(0.5);
+    const PartMesh part = mesh_part(b, options, own);
+    INFO(reason_of(part));
+    REQUIRE(part.valid());
+    REQUIRE(part.decisions[0].tries.size() == 5);
+    const MethodTry& taken = part.decisions[0].tries[*part.decisions[0].taken];
+    CHECK(taken.method == PartMethod::split);
+    REQUIRE_FALSE(taken.notes.empty());
+    CHECK(taken.notes[0] == "last resort: tetrahedra, each split in four");
+    CHECK(part.check.hexahedra == 8);
+    CHECK(part.check.verify.volume == Approx(1.0 / 3).epsilon(1e-12));
+    CHECK(std::set<int>(part.data.quad_groups.begin(), part.data.quad_groups.end()).size() == 5);
+    CHECK(part.entities.distance < 1e-12);
+    CHECK(std::count_if(part.entities.of_node.begin(), part.entities.of_node.end(),
+                        [](const NodeEntity& on) { return on.dimension == 0; }) == 5);
+    options.last_resort = false;
+    CHECK_FALSE(mesh_part(b, options, own).complete());
+    options.methods = {PartMethod::split};
+    CHECK(mesh_part(b, options, own).data.mesh.nodes == part.data.mesh.nodes);
+    const PartMesh none = mesh_part(b, options, kernels(b));
+    CHECK(none.decisions[0].tries[0].outcome == TryOutcome::died);
+}
+
+TEST_CASE("Solids that touch are split together and conform") {
+    TestBrep b;
+    const std::vector<double> x{0, 1, 3};
+    add_box_row(b, x);
+    Kernels own = kernels(b);
+    own.tets = [&](std::span<const SolidId>, const TetSizes&) { return box_row_tets(b, x, 2); };
+    PartOptions options = with_size(0.5);
+    options.methods = {PartMethod::split};
+    const PartMesh part = mesh_part(b, options, own);
+    INFO(reason_of(part));
+    REQUIRE(part.valid());
+    CHECK(part.check.hexahedra == 384);
+    CHECK(part.check.verify.volume == Approx(3).epsilon(1e-12));
+    CHECK(std::set<int>(part.data.hex_groups.begin(), part.data.hex_groups.end()).size() == 2);
+    CHECK(std::set<int>(part.data.quad_groups.begin(), part.data.quad_groups.end()).size() == 11);
 }
 
 TEST_CASE("Local sizes of edges are heeded, and names must be borne by something") {

@@ -6,13 +6,13 @@
 
 using namespace pavior;
 
-TEST_CASE("Methods have five different names, those of the command line") {
+TEST_CASE("Methods have six different names, those of the command line") {
     std::set<std::string_view> names;
-    for (const PartMethod method :
-         {PartMethod::submap, PartMethod::sweep, PartMethod::multi_sweep, PartMethod::mixed, PartMethod::block}) {
+    for (const PartMethod method : {PartMethod::submap, PartMethod::sweep, PartMethod::multi_sweep, PartMethod::mixed,
+                                    PartMethod::block, PartMethod::split}) {
         names.insert(to_string(method));
     }
-    CHECK(names == std::set<std::string_view>{"submap", "sweep", "multi-sweep", "mixed", "block"});
+    CHECK(names == std::set<std::string_view>{"submap", "sweep", "multi-sweep", "mixed", "block", "split"});
 }
 
 TEST_CASE("Local lengths of any kind are local lengths") {

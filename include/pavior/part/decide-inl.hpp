@@ -38,6 +38,9 @@ inline void take_better(PartDecision& decision) {
     if (methods.empty()) {
         methods = {PartMethod::submap, PartMethod::sweep, PartMethod::multi_sweep, PartMethod::mixed,
                    PartMethod::block};
+        if (options.last_resort) {
+            methods.push_back(PartMethod::split);
+        }
     }
     if (solids == 1 && methods.size() > 1) {
         std::erase(methods, PartMethod::mixed);
@@ -52,19 +55,23 @@ PAVIOR_INLINE PartDecision decide(std::vector<SolidId> solids, const PartOptions
     result.solids = std::move(solids);
     const double limit = options.seconds * static_cast<double>(result.solids.size());
     const std::vector<PartMethod> methods = detail::methods_for(result.solids.size(), options);
+    const bool last_resort = options.methods.empty() && options.last_resort;
+    const double kept = last_resort ? 0.2 * limit : 0;
     const Stopwatch watch;
     for (std::size_t m = 0; m < methods.size(); ++m) {
         check_stop(options.execution.stop);
         MethodTry next;
         next.method = methods[m];
-        const double left = limit - watch.total();
-        if (result.valid() && result.tries[*result.taken].min_jacobian >= options.sufficient) {
+        const bool resort = last_resort && m + 1 == methods.size();
+        // A process that was ended late must not cost the last resort all of its time.
+        const double left = resort ? std::max(limit - watch.total(), 0.5 * kept) : limit - kept - watch.total();
+        if (result.valid() && (resort || result.tries[*result.taken].min_jacobian >= options.sufficient)) {
             next.reason = "not needed";
         } else if (limit > 0 && left <= 0) {
             next.reason = "no time left";
             result.out_of_time = true;
         } else {
-            const bool last = m + 1 == methods.size();
+            const bool last = m + (last_resort && !resort ? 2 : 1) == methods.size();
             next = attempt(methods[m], limit > 0 ? left / (last ? 1 : 2) : 0);
             result.out_of_time = result.out_of_time || next.outcome == TryOutcome::timed_out;
         }

@@ -2,6 +2,7 @@
 /// \file
 /// What mesh_part() needs besides the model: the machines of others, in one bundle.
 
+#include <pavior/brep/solids_tets.hpp>
 #include <pavior/dual/features.hpp>
 #include <pavior/dual/reference_mesh.hpp>
 #include <pavior/intervals/integer_program.hpp>
@@ -16,6 +17,7 @@
 #include <concepts>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -28,6 +30,7 @@ struct SweptSolids;
 struct BestMultiSweep;
 struct MixedSolids;
 struct BlockedModel;
+struct SplitSolids;
 struct SmoothReport;
 
 /// Tetrahedra to block, and the surface that they fill.
@@ -57,10 +60,19 @@ struct JudgedMesh {
 
 /// What a method says of its own work, and what follows on it; none is null.
 using MethodReport = std::variant<const SubmappedMesh*, const SweptSolids*, const BestMultiSweep*, const MixedSolids*,
-                                  const BlockedModel*, const SmoothReport*, const JudgedMesh*>;
+                                  const BlockedModel*, const SplitSolids*, const SmoothReport*, const JudgedMesh*>;
 
 /// Any reference_mesher that can be copied, behind one type; std::ref() of one that cannot.
 using ReferenceMesher = std::function<BlockReference(SolidId solid, double size, const FeatureOptions& features)>;
+
+/// Makes the tetrahedra of solids that may touch: make(solids, sizes) is a SolidsTets.
+template <class M>
+concept tet_mesher = requires(M& make, std::span<const SolidId> solids, const TetSizes& sizes) {
+    { make(solids, sizes) } -> std::convertible_to<SolidsTets>;
+};
+
+/// Any tet_mesher that can be copied, behind one type; std::ref() of one that cannot.
+using TetMesher = std::function<SolidsTets(std::span<const SolidId> solids, const TetSizes& sizes)>;
 
 /// The callables that mesh a model: pavior::part has them for CAD files. All are called one at a time. A method that
 /// needs one that is empty ends as TryOutcome::died.
@@ -72,6 +84,7 @@ struct Kernels {
     ReferenceMesher reference;  ///< tetrahedra of a solid
     /// May add what it makes of a method's own reports to MethodTry::report; may be empty.
     std::function<void(std::string& text, const AnyModel& model, const MethodReport& report)> describe = {};
+    TetMesher tets = {};  ///< sized tetrahedra of solids; empty: there is no last resort
 };
 
 }  // namespace pavior

@@ -13,10 +13,11 @@
 
 namespace pavior {
 
-/// How solids that touch become hexahedra. mixed: each by its own of the first three.
-enum class PartMethod : std::uint8_t { submap, sweep, multi_sweep, mixed, block };
+/// How solids that touch become hexahedra. mixed: each by its own of the first three. split: the last resort, tetrahedra
+/// split in four each.
+enum class PartMethod : std::uint8_t { submap, sweep, multi_sweep, mixed, block, split };
 
-/// The stable name of \p method: "submap", "sweep", "multi-sweep", "mixed", "block".
+/// The stable name of \p method: "submap", "sweep", "multi-sweep", "mixed", "block", "split".
 [[nodiscard]] constexpr std::string_view to_string(PartMethod method) noexcept {
     switch (method) {
         case PartMethod::submap: return "submap";
@@ -24,6 +25,7 @@ enum class PartMethod : std::uint8_t { submap, sweep, multi_sweep, mixed, block 
         case PartMethod::multi_sweep: return "multi-sweep";
         case PartMethod::mixed: return "mixed";
         case PartMethod::block: return "block";
+        case PartMethod::split: return "split";
     }
     return "unknown";
 }
@@ -54,8 +56,11 @@ struct PartOptions {
     /// mesh_file() and mesh_model() refuse otherwise.
     bool allow_slices = false;
     double max_hexahedra = 0;  ///< refused where more are to be expected by volume and size; 0: no limit
-    /// Tried in this order; empty: all, in the order of PartMethod.
+    /// Tried in this order; empty: all but split, in the order of PartMethod, then the last resort.
     std::vector<PartMethod> methods = {};
+    /// With `methods` empty, split what no method meshes validly: a mesh for every closed solid, of more and of poorer
+    /// hexahedra. A fifth of the time is kept for it.
+    bool last_resort = true;
     /// Nothing more is tried once a valid mesh has a least scaled Jacobian of this.
     double sufficient = 0.2;
     bool node_entities = true;  ///< fill PartMesh::entities: some evaluations of the model for each boundary node

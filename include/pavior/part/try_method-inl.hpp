@@ -116,7 +116,7 @@ PAVIOR_INLINE MethodTry try_method(PartMethod method, const AnyModel& model, std
     MethodTry result;
     result.method = method;
     const Stopwatch watch;
-    detail::Trial trial{model, solids, options, kernels, times.out_of_time, result};
+    detail::Trial trial{model, solids, options, kernels, times.out_of_time, result, times.seconds};
     try {
         switch (method) {
             case PartMethod::submap: detail::try_submap(trial); break;
@@ -124,8 +124,9 @@ PAVIOR_INLINE MethodTry try_method(PartMethod method, const AnyModel& model, std
             case PartMethod::multi_sweep: detail::try_multi_sweep(trial); break;
             case PartMethod::mixed: detail::try_mixed(trial); break;
             case PartMethod::block: detail::try_block(trial); break;
+            case PartMethod::split: detail::try_split(trial); break;
         }
-        if (!times.out_of_time()) {
+        if (method != PartMethod::split && !times.out_of_time()) {  // which has done its own, and more
             detail::improve(trial);
         }
         if (times.made) {

@@ -17,6 +17,7 @@ struct TryTimes {
     std::function<bool()> out_of_time;            ///< asked by the methods now and then; must be given
     std::function<bool()> no_time_to_check = {};  ///< asked while the mesh is compared with the model; empty: never
     std::function<void()> made = {};              ///< called once there is a mesh, before it is checked
+    double seconds = 0;                           ///< limit of the try, for those that plan ahead; 0: none
 };
 
 /// What \p method makes of \p solids, which touch each other; errors of any kind end in the outcome, but for Stopped.

@@ -6,9 +6,11 @@
 #include <pavior/part/entity_groups.hpp>
 #include <pavior/part/mixed_solids.hpp>
 #include <pavior/part/multi_sweep_solids.hpp>
+#include <pavior/part/split_solids.hpp>
 #include <pavior/part/sweep_solids.hpp>
 #include <pavior/submap/submap_model.hpp>
 
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -100,6 +102,47 @@ PAVIOR_INLINE void try_mixed(Trial& trial) {
     for (const auto& [solid, method] : mesh.methods) {
         trial.result.notes.push_back("solid " + std::to_string(model.tag(3, solid.index())) + ": " +
                                      std::string(to_string(method)));
+    }
+    take_mesh(trial, std::move(mesh));
+}
+
+/// "tetrahedra of size 2: 0.25, 1200 hexahedra", or why not.
+[[nodiscard]] inline std::string note_of(const SplitAttempt& attempt) {
+    std::ostringstream text;
+    text.precision(3);
+    text << "tetrahedra of size " << attempt.sizes.size << ": ";
+    if (!attempt.error.empty()) {
+        text << attempt.error;
+    } else {
+        text << 4 * attempt.tets << " hexahedra, least scaled Jacobian " << attempt.split_jacobian << ", then "
+             << attempt.min_jacobian;
+    }
+    return text.str();
+}
+
+PAVIOR_INLINE void try_split(Trial& trial) {
+    SplitOptions own;
+    own.size = trial.size();
+    own.max_angle = trial.options.max_angle;
+    own.local = trial.options.local;
+    own.sufficient = trial.options.sufficient;
+    own.max_hexahedra = trial.options.max_hexahedra;
+    own.seconds = trial.seconds;
+    own.execution = trial.options.execution;
+    SplitSolids mesh = split_solids(trial.model, trial.solids, own, trial.kernels.tets);
+    trial.describe(&mesh);
+    MethodTry& result = trial.result;
+    result.notes.emplace_back("last resort: tetrahedra, each split in four");
+    for (const SplitAttempt& attempt : mesh.attempts) {
+        result.notes.push_back(note_of(attempt));
+    }
+    if (!mesh.limit.empty()) {
+        result.warnings.push_back("split: the least scaled Jacobian stays at " + mesh.limit +
+                                  (mesh.out_of_time ? "; there was no time for other tetrahedra" : ""));
+    }
+    if (const std::size_t off = mesh.attempts[mesh.taken].off; off > 0) {
+        result.warnings.push_back("split: " + std::to_string(off) +
+                                  " boundary nodes lie off their faces and edges, so that no hexahedron is inverted");
     }
     take_mesh(trial, std::move(mesh));
 }

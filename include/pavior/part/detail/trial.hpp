@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The tries of try_method() that mesh between caps.
+/// The tries of try_method() that mesh between caps, and the last resort.
 
 #include <pavior/core/compiled.hpp>
 #include <pavior/part/any_model.hpp>
@@ -20,6 +20,7 @@ struct Trial {
     const Kernels& kernels;
     const std::function<bool()>& out_of_time;
     MethodTry& result;
+    double seconds = 0;  ///< limit; 0: none
 
     /// Wished length of mesh edges.
     [[nodiscard]] double size() const { return options.size > 0 ? options.size : model.diagonal() / 12; }
@@ -35,6 +36,7 @@ PAVIOR_INLINE void try_submap(Trial& trial);
 PAVIOR_INLINE void try_sweep(Trial& trial);
 PAVIOR_INLINE void try_multi_sweep(Trial& trial);
 PAVIOR_INLINE void try_mixed(Trial& trial);
+PAVIOR_INLINE void try_split(Trial& trial);
 
 }  // namespace pavior::detail
 
