@@ -207,7 +207,7 @@ void add_mesh(CLI::App& app, MeshCommand& command) {
         app, "--method", command.method, methods,
         "auto (default): submapping, one-to-one sweep, many-to-many sweep, mixed (touching solids each by "
         "its own method), blocks, until one gives a valid mesh with scaled Jacobians of 0.2 or more, else the best "
-        "of them; the last resort, where none is valid: tetrahedra, each split in four (split)");
+        "of them; the last resort, where that is below 0.2 or none: tetrahedra, each split in four (split)");
     app.add_flag("!--no-split", command.last_resort, "no last resort: refuse what no other method meshes");
     app.add_flag("--explain", command.explain, "print what was tried, and why it was taken or refused, as a tree");
 }

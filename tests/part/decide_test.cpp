@@ -58,7 +58,6 @@ TEST_CASE("Of poor meshes the best is taken and the others are dropped; an inval
                    {PartMethod::block, {TryOutcome::mesh, 0.05}}}};
     const PartDecision decision = run(script, {});
     CHECK(decision.taken == 2);
-    CHECK(script.asked.back() == PartMethod::block);  // no last resort beside a valid mesh, however poor
     for (std::size_t i = 0; i < decision.tries.size(); ++i) {
         CHECK(decision.tries[i].data.mesh.nodes.size() == (i == 2 ? 1U : 0U));
     }
@@ -125,6 +124,17 @@ TEST_CASE("The last resort is tried where nothing is valid, with a fifth of the 
     Script named{{{PartMethod::split, {TryOutcome::mesh, 0.15}}}};
     CHECK(run(named, options, 1).taken == 0);
     CHECK(named.asked == options.methods);
+}
+
+TEST_CASE("The last resort comes in the place of a poor mesh only if it is sufficient") {
+    for (const double quality : {0.19, 0.21}) {
+        Script script{{{PartMethod::block, {TryOutcome::mesh, 0.1}}, {PartMethod::split, {TryOutcome::mesh, quality}}}};
+        const PartDecision decision = run(script, {}, 1);
+        CHECK(script.asked.back() == PartMethod::split);
+        REQUIRE(decision.taken);
+        CHECK(decision.tries[*decision.taken].method == (quality < 0.2 ? PartMethod::block : PartMethod::split));
+        CHECK(decision.tries.back().data.mesh.nodes.size() == (quality < 0.2 ? 0U : 1U));
+    }
 }
 
 TEST_CASE("What others use up of the time, the last resort has nevertheless") {

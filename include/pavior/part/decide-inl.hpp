@@ -17,13 +17,15 @@ namespace detail {
            std::pair(b.outcome == TryOutcome::mesh, b.min_jacobian);
 }
 
-/// Takes the last mesh if it is better than the one taken so far; the other is dropped.
-inline void take_better(PartDecision& decision) {
+/// Takes the last mesh if it is better than the one taken so far; the other is dropped. In the place of a valid one it
+/// comes only if its least scaled Jacobian is \p least.
+inline void take_better(PartDecision& decision, double least) {
     MethodTry& last = decision.tries.back();
     if (!last.has_mesh()) {
         return;
     }
-    if (decision.taken && !better_try(last, decision.tries[*decision.taken])) {
+    if (decision.taken &&
+        (!better_try(last, decision.tries[*decision.taken]) || (decision.valid() && last.min_jacobian < least))) {
         last.data = {};
         return;
     }
@@ -65,7 +67,7 @@ PAVIOR_INLINE PartDecision decide(std::vector<SolidId> solids, const PartOptions
         const bool resort = last_resort && m + 1 == methods.size();
         // A process that was ended late must not cost the last resort all of its time.
         const double left = resort ? std::max(limit - watch.total(), 0.5 * kept) : limit - kept - watch.total();
-        if (result.valid() && (resort || result.tries[*result.taken].min_jacobian >= options.sufficient)) {
+        if (result.valid() && result.tries[*result.taken].min_jacobian >= options.sufficient) {
             next.reason = "not needed";
         } else if (limit > 0 && left <= 0) {
             next.reason = "no time left";
@@ -76,7 +78,7 @@ PAVIOR_INLINE PartDecision decide(std::vector<SolidId> solids, const PartOptions
             result.out_of_time = result.out_of_time || next.outcome == TryOutcome::timed_out;
         }
         result.tries.push_back(std::move(next));
-        detail::take_better(result);
+        detail::take_better(result, resort ? options.sufficient : 0);
     }
     return result;
 }

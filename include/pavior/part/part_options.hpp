@@ -13,8 +13,8 @@
 
 namespace pavior {
 
-/// How solids that touch become hexahedra. mixed: each by its own of the first three. split: the last resort, tetrahedra
-/// split in four each.
+/// How solids that touch become hexahedra. mixed: each by its own of the first three. split: the last resort,
+/// tetrahedra split in four each.
 enum class PartMethod : std::uint8_t { submap, sweep, multi_sweep, mixed, block, split };
 
 /// The stable name of \p method: "submap", "sweep", "multi-sweep", "mixed", "block", "split".
@@ -59,7 +59,7 @@ struct PartOptions {
     /// Tried in this order; empty: all but split, in the order of PartMethod, then the last resort.
     std::vector<PartMethod> methods = {};
     /// With `methods` empty, split what no method meshes validly: a mesh for every closed solid, of more and of poorer
-    /// hexahedra. A fifth of the time is kept for it.
+    /// hexahedra; and what none meshes with `sufficient`, if that helps. A fifth of the time is kept for it.
     bool last_resort = true;
     /// Nothing more is tried once a valid mesh has a least scaled Jacobian of this.
     double sufficient = 0.2;
