@@ -17,7 +17,10 @@
 #include <pavior/part/cad_deviation.hpp>
 #include <pavior/part/local_lengths.hpp>
 
-#include <iostream>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -145,11 +148,24 @@ CadDeviation deviation_of(const BlockCommand& command, const BlockReference& inp
     return result;
 }
 
+std::string digits(double number) {
+    std::ostringstream text;
+    text << number;
+    return text.str();
+}
+
 std::string counts_with_blocks(const SolidBlocks& solid, const MeshCheck& check) {
     const BlockReport& blocks = solid.report.blocks;
     const std::string counts = std::to_string(blocks.blocks) + " blocks, " + std::to_string(blocks.nodes()) +
                                " block nodes, " + std::to_string(blocks.sheets) + " sheets";
     return solid.fine ? counts + "; " + counts_of(check) : counts;
+}
+
+/// More than edges that turn by the largest angle can cost (a ball: twice a disc) says that blocks pass over a part.
+bool lacks_a_part(const BlockCommand& command, const CadDeviation& deviation) {
+    const double angle = command.max_angle * std::numbers::pi / 180;
+    const double most = std::max(noteworthy_volume, 2.5 * (1 - std::sin(angle) / angle));
+    return command.size > 0.0 && std::abs(deviation.relative_volume().value_or(0.0)) > most;
 }
 
 MadeMesh checked(const BlockCommand& command, BlockReference& input, const SolidBlocks& solid, Json json) {
@@ -164,7 +180,13 @@ MadeMesh checked(const BlockCommand& command, BlockReference& input, const Solid
     made.json = std::move(json);
     made.warnings = std::move(input.warnings);
     append(made.warnings, warnings_of(command, solid));
-    append(made.warnings, warnings_of(*made.deviation));
+    if (made.valid && lacks_a_part(command, *made.deviation)) {
+        made.valid = false;
+        made.faults = "its volume is " + digits(made.check.verify.volume) + ", that of the geometry " +
+                      digits(*made.deviation->cad_volume) + ": the blocks pass over a part of it";
+    } else {
+        append(made.warnings, warnings_of(*made.deviation));
+    }
     return made;
 }
 

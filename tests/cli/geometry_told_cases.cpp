@@ -106,6 +106,20 @@ TEST_CASE("What a mesh lacks of its solid stands in the report, the summary and 
     CHECK(surface.json["deviation"]["cad_volume"].get<double>() > 0);
 }
 
+TEST_CASE("Blocks that pass over a part of the solid are no mesh of it") {
+    const std::string peg = std::string(PAVIOR_EXAMPLE_DATA) + "/solids/peg_neck_fillet_tip_chamfer.step";
+    const std::string mesh = scratch_file("peg.vtu");
+    const ProgramRun run = run_program("block " + peg + " --size 1 -o " + mesh);
+    CAPTURE(run.err);
+    if (run.code == 0) {  // it is not passed over any more
+        CHECK(verify_hexes(read_mesh(mesh).mesh).volume == Approx(969.72).epsilon(0.02));
+    } else {
+        CHECK(run.code == 1);
+        CHECK(run.err.find("pass over a part") != std::string::npos);
+        CHECK_FALSE(std::filesystem::exists(mesh));
+    }
+}
+
 TEST_CASE("Units: what the file says, what comes out, and another one") {
     const Told plain("sweep " + fault("slot.step"));
     CHECK(plain.json["unit"]["file"] == "mm");
