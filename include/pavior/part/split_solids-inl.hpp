@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pavior/block/flip_tets.hpp>
 #include <pavior/block/split_tets.hpp>
 #include <pavior/brep/all_tags.hpp>
 #include <pavior/brep/surface_foot.hpp>
@@ -22,6 +23,7 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <stop_token>
 #include <tuple>
 #include <utility>
 
@@ -336,12 +338,15 @@ private:
         double turn;  ///< part of the largest angle
         int variant;
     };
-    constexpr std::array<Candidate, 6> candidates{{{1.0, 0.35, 1.0, 0},
+    constexpr std::array<Candidate, 9> candidates{{{1.0, 0.35, 1.0, 0},
                                                    {0.9, 0.35, 1.0, 0},
                                                    {1.1, 0.5, 1.0, 0},
                                                    {0.75, 0.35, 1.0, 1},
                                                    {1.4, 0.5, 1.0, 0},
-                                                   {0.6, 0.3, 0.75, 0}}};
+                                                   {1.3, 0.4, 1.0, 1},
+                                                   {2.0, 0.5, 1.0, 0},
+                                                   {0.6, 0.3, 0.75, 0},
+                                                   {0.45, 0.25, 0.5, 2}}};
     std::vector<TetSizes> result;
     for (const Candidate& c : candidates) {
         TetSizes sizes;
@@ -407,6 +412,19 @@ private:
     return text.str();
 }
 
+/// Tetrahedra flipped for the sake of what they are split into.
+inline void connect_better(SolidsTets& tets, const std::stop_token& stop) {
+    FlipOptions own;
+    own.stop = stop;
+    FlippedTets flipped = flip_tets(tets.tets, own);
+    std::vector<SolidId> solids;
+    for (const Index t : flipped.origin) {
+        solids.push_back(tets.tet_solid[t]);
+    }
+    tets.tets.mesh.tets = std::move(flipped.tets);
+    tets.tet_solid = std::move(solids);
+}
+
 /// The mesh of one attempt, whose least scaled Jacobian and nodes that are off are noted.
 [[nodiscard]] inline SplitSolids split_attempt(const AnyModel& b, const SplitOptions& options, const SolidsTets& tets,
                                                const std::function<bool()>& late, SplitAttempt& attempt) {
@@ -464,7 +482,8 @@ PAVIOR_INLINE SplitSolids split_solids(const AnyModel& b, std::span<const SolidI
         attempt.sizes = sizes;
         attempt.sizes.seconds = limit > 0 ? std::max(0.5 * (limit - begin), 0.01) : 0;
         try {
-            const SolidsTets tets = mesher(solids, attempt.sizes);
+            SolidsTets tets = mesher(solids, attempt.sizes);
+            detail::connect_better(tets, options.execution.stop);
             attempt.tets = tets.tets.mesh.tets.size();
             if (options.max_hexahedra > 0 && 4.0 * static_cast<double>(attempt.tets) > options.max_hexahedra) {
                 throw UnmeshableError(ErrorCode::tetrahedra_failed,
