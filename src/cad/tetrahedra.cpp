@@ -35,8 +35,11 @@ void check_sizes(const TetSizes& sizes) {
     const auto all_positive = [&](const auto& lengths) {
         return std::all_of(lengths.begin(), lengths.end(), [&](const auto& entry) { return positive(entry.second); });
     };
-    if (!positive(sizes.size) || !positive(sizes.least) || sizes.per_turn < 3 || sizes.variant < 0 ||
-        !all_positive(sizes.edge) || !all_positive(sizes.face) || !all_positive(sizes.solid) || !(sizes.seconds >= 0)) {
+    const bool near = std::all_of(sizes.near.begin(), sizes.near.end(),
+                                  [&](const TetSizeAt& at) { return positive(at.size) && at.point.allFinite(); });
+    if (!near || !(sizes.growth >= 0) || !positive(sizes.size) || !positive(sizes.least) || sizes.per_turn < 3 ||
+        sizes.variant < 0 || !all_positive(sizes.edge) || !all_positive(sizes.face) || !all_positive(sizes.solid) ||
+        !(sizes.seconds >= 0)) {
         throw InputError(ErrorCode::bad_option,
                          "lengths must be positive, 3 edges or more a turn, no negative variant");
     }
@@ -126,7 +129,7 @@ Scope scope_of(const GmshBrep& model, std::span<const SolidId> solids, const Tet
 class SizeCallback {
 public:
     SizeCallback(const GmshBrep& model, const Scope& scope, const TetSizes& sizes) {
-        if (sizes.edge.empty() && sizes.face.empty() && sizes.solid.empty()) {
+        if (sizes.edge.empty() && sizes.face.empty() && sizes.solid.empty() && sizes.near.empty()) {
             return;
         }
         std::array<std::map<int, double>, 4> by_tag;
@@ -139,13 +142,17 @@ public:
         fill(1, scope.edge_size);
         fill(2, scope.face_size);
         fill(3, sizes.solid);
-        gmsh::model::mesh::setSizeCallback([by_tag, size = sizes.size](int dimension, int tag, double, double, double) {
-            if (dimension < 0 || dimension > 3) {
-                return size;
+        gmsh::model::mesh::setSizeCallback([by_tag, sizes](int dimension, int tag, double x, double y, double z) {
+            double size = sizes.size;
+            if (dimension >= 0 && dimension <= 3) {
+                const auto& lengths = by_tag[static_cast<std::size_t>(dimension)];
+                const auto own = lengths.find(tag);
+                size = own == lengths.end() ? size : own->second;
             }
-            const auto& lengths = by_tag[static_cast<std::size_t>(dimension)];
-            const auto own = lengths.find(tag);
-            return own == lengths.end() ? size : own->second;
+            for (const TetSizeAt& at : sizes.near) {
+                size = std::min(size, at.size + sizes.growth * (at.point - Vec3(x, y, z)).norm());
+            }
+            return size;
         });
         set_ = true;
     }

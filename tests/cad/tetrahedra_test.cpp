@@ -146,6 +146,27 @@ TEST_CASE("Edges, faces and solids have their own lengths") {
     }
 }
 
+TEST_CASE("Lengths grow from a point on") {
+    const GmshBrep model = two_boxes_and_a_pin();
+    const std::vector<SolidId> all = all_solids(model);
+    TetSizes sizes = of_size(1);
+    sizes.least = 0.05;
+    const SolidsTets plain = tetrahedra_of(model, all, sizes);
+    sizes.near = {{Vec3(2, 2, 2), 0.1}};
+    const SolidsTets graded = tetrahedra_of(model, all, sizes);
+    CHECK(verify_tets(graded.tets.mesh).ok());
+    const auto within = [](const SolidsTets& made, const Vec3& x, double radius) {
+        const auto& nodes = made.tets.mesh.nodes;
+        return std::count_if(nodes.begin(), nodes.end(), [&](const Vec3& y) { return (x - y).norm() < radius; });
+    };
+    CHECK(within(graded, Vec3(2, 2, 2), 0.4) > 10 + within(plain, Vec3(2, 2, 2), 0.4));
+    CHECK(within(graded, Vec3(5, 0, 1), 1.6) < 2 * within(plain, Vec3(5, 0, 1), 1.6));  // far away
+    sizes.growth = 0.2;
+    CHECK(tetrahedra_of(model, all, sizes).tets.mesh.tets.size() > graded.tets.mesh.tets.size());
+    sizes.near[0].size = 0;
+    CHECK_THROWS_AS(tetrahedra_of(model, all, sizes), InputError);
+}
+
 TEST_CASE("What makes no sense is refused, time is kept, a stop is a stop") {
     const GmshBrep model = two_boxes_and_a_pin();
     const std::array solids{SolidId{0}};

@@ -14,6 +14,7 @@
 #include <numbers>
 #include <set>
 #include <stop_token>
+#include <utility>
 
 using namespace pavior;
 using namespace pavior::test;
@@ -137,9 +138,9 @@ TEST_CASE("A mesher that fails is asked again; the best mesh counts where none i
     CHECK(verify_hexes(made.mesh).ok());
     CHECK_FALSE(made.out_of_time);
     CHECK_THAT(made.limit, Catch::Contains("0."));
-    std::set<double> sizes;
+    std::set<std::pair<double, int>> sizes;
     for (const SplitAttempt& attempt : made.attempts) {
-        sizes.insert(attempt.sizes.size);
+        sizes.insert({attempt.sizes.size, attempt.sizes.variant});
         CHECK(attempt.sizes.least < attempt.sizes.size);
     }
     CHECK(sizes.size() == made.attempts.size());
@@ -174,6 +175,31 @@ TEST_CASE("Without tetrahedra the reasons are told; too many are none; a stop is
     };
     CHECK_THROWS_AS(split_solids(b, std::array{solid}, stopped, stops), Stopped);
     CHECK_THROWS_AS(split_solids(b, std::array{solid}, with_size(0), two), InputError);
+}
+
+TEST_CASE("Where a solid is thin, shorter tetrahedra are asked for, after those that were not sufficient") {
+    TestBrep b;
+    const std::vector<double> x{0, 0.1};
+    const std::vector<SolidId> plate = add_box_row(b, x);
+    std::vector<TetSizes> asked;
+    const TetMesher mesher = [&](std::span<const SolidId>, const TetSizes& sizes) {
+        asked.push_back(sizes);
+        return box_row_tets(b, x, 1);
+    };
+    SplitOptions options = with_size(0.5);
+    options.sufficient = 0.9;
+    const SplitSolids made = split_solids(b, plate, options, mesher);
+    REQUIRE(asked.size() > 2);
+    CHECK(asked[0].near.empty());
+    REQUIRE_FALSE(asked[1].near.empty());
+    CHECK(asked[1].size == asked[0].size);
+    CHECK(asked[1].least < asked[0].least);
+    for (const TetSizeAt& at : asked[1].near) {
+        CHECK(at.size == Approx(0.25));
+        CHECK(at.point.x() == Approx(0.05));
+    }
+    CHECK(asked[1].near.size() == 4);  // its short edges
+    CHECK(verify_hexes(made.mesh).ok());
 }
 
 TEST_CASE("Local lengths are handed on, twice as long, and the limit of time ends the search with the best so far") {

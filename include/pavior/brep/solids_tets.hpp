@@ -3,6 +3,7 @@
 /// Tetrahedra of the solids of a CAD model that know the faces, edges and vertices of the model; and how long they are.
 
 #include <pavior/brep/brep.hpp>
+#include <pavior/math/point.hpp>
 #include <pavior/mesh/tagged_mesh.hpp>
 
 #include <map>
@@ -10,6 +11,12 @@
 #include <vector>
 
 namespace pavior {
+
+/// A length near a point.
+struct TetSizeAt {
+    Vec3 point = Vec3::Zero();
+    double size = 0;
+};
 
 /// How long the edges of tetrahedra are to be, in the unit of the model.
 struct TetSizes {
@@ -21,6 +28,9 @@ struct TetSizes {
     std::map<EdgeId, double> edge = {};
     std::map<FaceId, double> face = {};
     std::map<SolidId, double> solid = {};
+    /// Lengths are also no greater than that at a point and \c growth times the distance from it.
+    std::vector<TetSizeAt> near = {};
+    double growth = 0.4;
     double seconds = 0;         ///< limit; 0: none
     std::stop_token stop = {};  ///< ends the call by Stopped
 };

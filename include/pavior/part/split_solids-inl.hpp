@@ -22,6 +22,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <stop_token>
 #include <tuple>
@@ -197,7 +198,7 @@ public:
     /// \return the least scaled Jacobian
     double run() {
         move_to_model();
-        double least = raise(false, 30);
+        double least = late_() ? minimum() : raise(false, 30);
         for (int slice = 0; slice < 5 && least < enough() && !late_(); ++slice) {
             const double before = least;
             least = raise(true, 20);
@@ -224,6 +225,14 @@ private:
         return hex_scaled_jacobian(x);
     }
 
+    [[nodiscard]] double minimum() const {
+        double least = 1;
+        for (std::size_t h = 0; h < mesh_.hexes.size(); ++h) {
+            least = std::min(least, quality(h));
+        }
+        return least;
+    }
+
     /// All nodes whose move leaves the hexahedra positive, the others as far as they can once there is more room.
     void move_to_model() {
         for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) {
@@ -245,7 +254,7 @@ private:
     double finish(double least) {
         const std::vector<Vec3> saved = mesh_.nodes;
         const std::vector<Index> left = left_;
-        if (left_.empty() || advance(true) == 0) {
+        if (left_.empty() || late_() || advance(true) == 0) {
             return least;
         }
         const double now = raise(true, 10);
@@ -332,22 +341,26 @@ private:
 };
 
 /// What is tried, the first as a rule sufficient: lengths in parts of twice the wished one.
-[[nodiscard]] inline std::vector<TetSizes> split_candidates(const AnyModel& b, const SplitOptions& options) {
+[[nodiscard]] inline std::vector<std::pair<TetSizes, bool>> split_candidates(const AnyModel& b,
+                                                                             const SplitOptions& options) {
     struct Candidate {
         double size, least;
         double turn;  ///< part of the largest angle
         int variant;
+        bool thin = false;  ///< shorter where the solid is thin
     };
-    constexpr std::array<Candidate, 9> candidates{{{1.0, 0.35, 1.0, 0},
-                                                   {0.9, 0.35, 1.0, 0},
-                                                   {1.1, 0.5, 1.0, 0},
-                                                   {0.75, 0.35, 1.0, 1},
-                                                   {1.4, 0.5, 1.0, 0},
-                                                   {1.3, 0.4, 1.0, 1},
-                                                   {2.0, 0.5, 1.0, 0},
-                                                   {0.6, 0.3, 0.75, 0},
-                                                   {0.45, 0.25, 0.5, 2}}};
-    std::vector<TetSizes> result;
+    constexpr std::array<Candidate, 11> candidates{{{1.0, 0.35, 1.0, 0},
+                                                    {1.0, 0.35, 1.0, 0, true},
+                                                    {0.9, 0.35, 1.0, 0},
+                                                    {1.1, 0.5, 1.0, 0},
+                                                    {0.75, 0.35, 1.0, 1},
+                                                    {1.4, 0.5, 1.0, 0},
+                                                    {0.8, 0.35, 1.0, 0, true},
+                                                    {1.3, 0.4, 1.0, 1},
+                                                    {2.0, 0.5, 1.0, 0},
+                                                    {0.6, 0.3, 0.75, 0},
+                                                    {0.45, 0.25, 0.5, 2}}};
+    std::vector<std::pair<TetSizes, bool>> result;
     for (const Candidate& c : candidates) {
         TetSizes sizes;
         const double part = 2 * c.size;
@@ -372,7 +385,53 @@ private:
         for (std::size_t s = 0; s < b.solid_count() && !options.local.solid.empty(); ++s) {
             add(3, s, options.local.solid, sizes.solid, SolidId{});
         }
-        result.push_back(std::move(sizes));
+        result.emplace_back(std::move(sizes), c.thin);
+    }
+    return result;
+}
+
+/// Where the solids are thinner than the wished length, by inner edges between two nodes of the boundary and by short
+/// edges of the model: lengths that leave room for a shape. At most one in a cell of half that length.
+[[nodiscard]] inline std::vector<TetSizeAt> thin_places(const TaggedTetMesh& tets, double size, double least) {
+    constexpr double longer = 2.5;  // than it is thick
+    using Edge = std::pair<Index, Index>;
+    const std::vector<Vec3>& x = tets.mesh.nodes;
+    const auto edge_of = [](Index i, Index j) { return Edge(std::min(i, j), std::max(i, j)); };
+    std::vector<char> boundary(x.size(), 0);
+    std::set<Edge> along, features;
+    for (const TaggedTriangle& t : tets.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            boundary[t.nodes[k]] = 1;
+            along.insert(edge_of(t.nodes[k], t.nodes[(k + 1) % 3]));
+        }
+    }
+    for (const TaggedEdge& e : tets.edges) {
+        features.insert(edge_of(e.nodes[0], e.nodes[1]));
+    }
+    std::map<std::array<long, 3>, TetSizeAt> cells;
+    for (const TetCorners& c : tets.mesh.tets) {
+        for (const auto& local : tet_edges) {
+            const Index i = c[static_cast<std::size_t>(local[0])], j = c[static_cast<std::size_t>(local[1])];
+            const double length = longer * (x[i] - x[j]).norm();
+            const Edge edge = edge_of(i, j);
+            const bool across = boundary[i] != 0 && boundary[j] != 0 && !along.contains(edge);
+            if (length >= size || !(across || features.contains(edge))) {
+                continue;
+            }
+            const TetSizeAt at{(x[i] + x[j]) / 2.0, std::max(length, least)};
+            std::array<long, 3> cell{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                cell[k] = std::lround(at.point[static_cast<Eigen::Index>(k)] / (0.5 * size));
+            }
+            const auto [known, first] = cells.emplace(cell, at);
+            if (!first && at.size < known->second.size) {
+                known->second = at;
+            }
+        }
+    }
+    std::vector<TetSizeAt> result;
+    for (const auto& [cell, at] : cells) {
+        result.push_back(at);
     }
     return result;
 }
@@ -466,8 +525,9 @@ PAVIOR_INLINE SplitSolids split_solids(const AnyModel& b, std::span<const SolidI
     };
     SplitSolids best;
     std::vector<SplitAttempt> attempts;
-    double last = 0;  // seconds of the last attempt
-    for (const TetSizes& sizes : detail::split_candidates(b, options)) {
+    double last = 0;                  // seconds of the last attempt
+    std::optional<SolidsTets> first;  // tetrahedra without regard to thickness
+    for (const auto& [sizes, thin] : detail::split_candidates(b, options)) {
         check_stop(options.execution.stop);
         const bool has_mesh = !best.mesh.hexes.empty();
         if (has_mesh && std::get<0>(score(attempts[best.taken]))) {
@@ -480,9 +540,21 @@ PAVIOR_INLINE SplitSolids split_solids(const AnyModel& b, std::span<const SolidI
         }
         SplitAttempt attempt;
         attempt.sizes = sizes;
-        attempt.sizes.seconds = limit > 0 ? std::max(0.5 * (limit - begin), 0.01) : 0;
+        if (thin) {
+            constexpr double thinnest = 0.15;
+            const double least = thinnest * sizes.size;
+            attempt.sizes.near = first ? detail::thin_places(first->tets, sizes.size, least) : std::vector<TetSizeAt>{};
+            attempt.sizes.least = std::min(sizes.least, least);
+            if (attempt.sizes.near.empty()) {
+                continue;
+            }
+        }
+        attempt.sizes.seconds = limit > 0 ? std::max((has_mesh ? 0.5 : 0.7) * (limit - begin), 0.01) : 0;
         try {
             SolidsTets tets = mesher(solids, attempt.sizes);
+            if (!first) {
+                first = tets;
+            }
             detail::connect_better(tets, options.execution.stop);
             attempt.tets = tets.tets.mesh.tets.size();
             if (options.max_hexahedra > 0 && 4.0 * static_cast<double>(attempt.tets) > options.max_hexahedra) {
