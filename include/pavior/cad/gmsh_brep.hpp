@@ -23,6 +23,7 @@ namespace pavior {
 
 namespace detail {
 class GmshModel;
+struct Topology;
 }  // namespace detail
 
 /// How a CAD model is read.
@@ -134,6 +135,7 @@ public:
 
     /// The Gmsh model, for the other parts of the component.
     [[nodiscard]] const detail::GmshModel& gmsh_model() const;
+    [[nodiscard]] const detail::Topology& topology() const;
 
 private:
     struct Data;

@@ -14,12 +14,15 @@
 #include <pavior/part/try_method.hpp>
 #include <pavior/smooth/improve_hexes.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <exception>
 #include <map>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace pavior {
 
@@ -43,26 +46,84 @@ namespace detail {
     return faces;
 }
 
+[[nodiscard]] inline bool has_curved_face(const AnyModel& b, SolidId solid) {
+    const auto faces = b.solid_faces(solid);
+    return std::any_of(faces.begin(), faces.end(), [&](const OrientedFace& f) { return !plane_of(b, f.face); });
+}
+
+/// Blocks of a solid in one reference mesh or another.
+class BlockTries {
+public:
+    BlockTries(Trial& trial, SolidId solid)
+        : trial_(trial), solid_(solid), has_others_(has_curved_face(trial.model, solid)) {
+        options_.execution = trial.options.execution;
+        options_.refine.emplace();
+        const LocalLengths& local = trial.options.local;
+        options_.refine->size = size_by_tag(trial.model, 3, solid.index(), local.solid).value_or(trial.size());
+        options_.refine->max_angle = trial.options.max_angle;
+        options_.refine->curve_size = local.edge;
+        options_.refine->patch_size = local.face;
+        if (has_others_) {
+            options_.marking.max_work = 2.5e6;
+        }
+    }
+
+    /// The best; rethrows what the first reference met if none has blocks.
+    [[nodiscard]] BlockedModel run() {
+        take(trial_.kernels.reference);
+        for (const ReferenceMesher& other : trial_.kernels.other_references) {
+            if (!has_others_ || quality_ >= trial_.options.sufficient || trial_.out_of_time()) {
+                break;
+            }
+            take(other);
+        }
+        if (!best_) {
+            std::rethrow_exception(reason_);
+        }
+        return std::move(*best_);
+    }
+
+private:
+    void take(const ReferenceMesher& reference) {
+        try {
+            BlockedModel model = block_model(trial_.model, solid_, options_, reference);
+            if (!best_ && !reason_) {
+                trial_.describe(&model);
+            }
+            require_blocks(model.blocks);
+            const HexMeshData data = block_mesh_data(model.blocks, model.reference.surface);
+            const double quality = hex_quality(data.mesh, {10, options_.execution}).scaled_jacobian.min;
+            if (!best_ || quality > quality_) {
+                best_ = std::move(model);
+                quality_ = quality;
+                trial_.describe(&*best_);
+            }
+        } catch (const Error&) {
+            if (!reason_) {
+                reason_ = std::current_exception();
+            }
+        }
+    }
+
+    Trial& trial_;
+    SolidId solid_;
+    bool has_others_;
+    BlockOptions options_;
+    std::optional<BlockedModel> best_;
+    double quality_ = -1;
+    std::exception_ptr reason_;
+};
+
 inline void try_block(Trial& trial) {
     MethodTry& result = trial.result;
     if (trial.solids.size() != 1) {
         throw UnmeshableError(ErrorCode::invalid_dual,
                               "blocks are made of one solid, these are " + std::to_string(trial.solids.size()));
     }
-    BlockOptions own;
-    own.execution = trial.options.execution;
-    own.refine.emplace();
-    const LocalLengths& local = trial.options.local;
-    own.refine->size = size_by_tag(trial.model, 3, trial.solids[0].index(), local.solid).value_or(trial.size());
-    own.refine->max_angle = trial.options.max_angle;
-    own.refine->curve_size = local.edge;
-    own.refine->patch_size = local.face;
-    const BlockedModel model = block_model(trial.model, trial.solids[0], own, trial.kernels.reference);
+    const BlockedModel model = BlockTries(trial, trial.solids[0]).run();
     if (model.shallow_creases) {
         result.notes.emplace_back("edges of less than 45 degrees are features, too, since all faces are plane");
     }
-    trial.describe(&model);
-    require_blocks(model.blocks);
     result.notes.push_back(std::to_string(model.blocks.report.blocks.blocks) + " blocks");
     result.data = block_mesh_data(model.blocks, model.reference.surface);
     result.data.hex_groups.assign(result.data.mesh.hexes.size(), trial.model.tag(3, trial.solids[0].index()));
