@@ -174,9 +174,15 @@ struct FaceSteps {
 /// One face.
 class FaceTriangulator {
 public:
-    FaceTriangulator(const GmshModel& model, const Topology& topology, const FaceData& face, const Vec2& cell,
+    FaceTriangulator(const GmshModel& model, const Topology& topology, const FaceData& face, const FaceSteps& steps,
                      const SurfaceLimits& limits)
-        : model_(model), topology_(topology), face_(face), cell_(cell), limits_(limits), plane_(face.kind == "Plane") {}
+        : model_(model),
+          topology_(topology),
+          face_(face),
+          cell_(steps.cell),
+          longest_(longest_edge(steps.least, limits)),
+          limits_(limits),
+          plane_(face.kind == "Plane") {}
 
     /// \p parameters and \p nodes of each edge. False if edges cross: crossing() names them.
     bool run(const std::vector<std::vector<double>>& parameters, SurfaceTriangles& result) {
@@ -290,9 +296,8 @@ private:
                 angle = std::max(angle, 2 * angle_between(end->normal, normal));
             }
         }
-        const double cells = limits_.longest < infinite ? (p.uv - q.uv).cwiseQuotient(cell_).norm() : 0;
-        return std::max(
-            {high / (inner_share * limits_.chord), angle / (1.6 * full_turn / limits_.per_turn), cells / 1.5});
+        return std::max({high / (inner_share * limits_.chord), angle / (1.6 * full_turn / limits_.per_turn),
+                         (p.x - q.x).norm() / (1.5 * longest_)});
     }
 
     bool refine(PlaneMesh& mesh, SurfaceTriangles& result) {
@@ -304,7 +309,7 @@ private:
             result.nodes.push_back(node.x);
             nodes_.push_back(node);
         };
-        constexpr std::size_t most = 100000;
+        constexpr std::size_t most = 20000;
         return mesh.refine([&](Index a, Index b) { return badness(a, b); }, added, most);
     }
 
@@ -343,6 +348,7 @@ private:
     const Topology& topology_;
     const FaceData& face_;
     const Vec2 cell_;
+    const double longest_;  ///< of inner edges
     const SurfaceLimits& limits_;
     bool plane_;
     std::vector<FaceNode> nodes_;
@@ -410,7 +416,7 @@ private:
         }
         std::set<std::size_t> crossing;
         for (const std::size_t f : faces_) {
-            FaceTriangulator face(model_, topology_, topology_.faces[f], steps_of_faces_.at(f).cell, limits_);
+            FaceTriangulator face(model_, topology_, topology_.faces[f], steps_of_faces_.at(f), limits_);
             if (!face.run(parameters, result)) {
                 crossing.insert(face.crossing().begin(), face.crossing().end());
             }

@@ -38,13 +38,14 @@ void describe(std::string& text, const AnyModel& model, const MethodReport& repo
 }
 
 Kernels gmsh_kernels(const GmshBrep& model) {
-    return {imprint,
-            GlpkSolver{{10, {}}},
-            GmshRegionMesher{},
-            GmshCapMesher{&model},
-            GmshReferenceMesher{&model},
-            describe,
-            {GmshReferenceMesher{&model, 1, 16}, GmshReferenceMesher{&model, 1, 20}}};
+    return {
+        imprint,
+        GlpkSolver{{10, {}}},
+        GmshRegionMesher{},
+        GmshCapMesher{&model},
+        GmshReferenceMesher{&model},
+        describe,
+        {GmshReferenceMesher{&model, 1, 16}, GmshReferenceMesher{&model, 1, 20}, GmshReferenceMesher{&model, 1, 12}}};
 }
 
 }  // namespace pavior::detail
