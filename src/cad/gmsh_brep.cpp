@@ -2,10 +2,53 @@
 
 #include "gmsh_import.hpp"
 #include "gmsh_topology.hpp"
+#include "model_bytes.hpp"
+#include "scratch_folder.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pavior {
+
+namespace {
+
+bool same_face(const detail::FaceData& a, const detail::FaceData& b) {
+    const double same = 1e-6 * (a.bounds[1] - a.bounds[0]).norm();
+    return a.tag == b.tag && a.kind == b.kind && a.loops == b.loops && a.chains.size() == b.chains.size() &&
+           std::abs(a.area - b.area) <= 1e-6 * a.area && (a.bounds[0] - b.bounds[0]).norm() <= same &&
+           (a.bounds[1] - b.bounds[1]).norm() <= same;
+}
+
+/// Whether two models are the same, tags included.
+bool same_topology(const detail::Topology& a, const detail::Topology& b) {
+    const double same = 1e-9 * a.diagonal;
+    const auto same_vertex = [&](const Vec3& x, const Vec3& y) { return (x - y).norm() <= same; };
+    const auto same_edge = [&](const detail::EdgeData& x, const detail::EdgeData& y) {
+        return x.tag == y.tag && x.vertices == y.vertices && std::abs(x.length - y.length) <= 1e-6 * x.length;
+    };
+    const auto same_solid = [](const detail::SolidData& x, const detail::SolidData& y) {
+        return x.tag == y.tag && x.faces == y.faces;
+    };
+    const auto equal = [](const auto& x, const auto& y, const auto& test) {
+        return std::equal(x.begin(), x.end(), y.begin(), y.end(), test);
+    };
+    return a.vertex_tags == b.vertex_tags && equal(a.vertices, b.vertices, same_vertex) &&
+           equal(a.edges, b.edges, same_edge) &&
+           equal(a.faces, b.faces, [](const auto& x, const auto& y) { return same_face(x, y); }) &&
+           equal(a.solids, b.solids, same_solid);
+}
+
+/// Writes the current model to a file of OpenCASCADE's own, which keeps what solids share, and reads it back. False if
+/// what comes back is not the same.
+bool save_model(const std::filesystem::path& file, const detail::Topology& topology) {
+    gmsh::write(file.string());
+    const detail::GmshModel copy;
+    const detail::GmshModel::Current current(copy);
+    detail::import_file(file);
+    return same_topology(topology, detail::read_topology(copy));
+}
+
+}  // namespace
 
 struct GmshBrep::Data {
     detail::GmshModel model;
@@ -57,6 +100,28 @@ struct GmshBrep::Data {
             s.name = name == names.end() ? std::string() : name->second;
         }
     }
+
+    /// Saves the model if solids were imprinted, which takes long, and returns what its file does not say; else, and
+    /// where that does not work out, empty.
+    [[nodiscard]] std::string imprint_saved(const std::filesystem::path& file) const {
+        if (topology.file_tags[3].empty() || file.empty()) {
+            return {};
+        }
+        try {
+            const detail::GmshModel::Current current(model);
+            return save_model(file, topology) ? detail::imprint_to_bytes(topology, report) : std::string();
+        } catch (...) {  // no place for the file, or a model that it does not keep
+            return {};
+        }
+    }
+
+    /// Reads what imprint_saved() saved and returned.
+    void take(const std::filesystem::path& saved, const std::string& imprint) {
+        const detail::GmshModel::Current current(model);
+        detail::import_file(saved);
+        topology = detail::read_topology(model);
+        detail::imprint_from_bytes(imprint, topology, report);
+    }
 };
 
 bool can_read_cad(const std::filesystem::path& file) { return !detail::cad_format(file).empty(); }
@@ -67,18 +132,32 @@ GmshBrep& GmshBrep::operator=(GmshBrep&&) noexcept = default;
 GmshBrep::~GmshBrep() = default;
 
 const detail::GmshModel& GmshBrep::gmsh_model() const { return data_->model; }
+const detail::Topology& GmshBrep::topology() const { return data_->topology; }
 
 GmshBrep GmshBrep::load(const std::filesystem::path& file, const CadOptions& options) {
     detail::check_cad_file(file);
     const auto populate = [&] { detail::import_file(file); };
+    const detail::ScratchFolder folder;
+    const std::filesystem::path saved = folder.path().empty() ? folder.path() : folder.path() / "imprinted.brep";
+    std::string imprint;
     if (options.trial_seconds > 0) {
-        const auto trial = [&] { std::make_unique<Data>()->read(populate, options, file); };
-        detail::try_reading(file, trial, options.trial_seconds, options.stop);
+        const auto trial = [&] {
+            const auto data = std::make_unique<Data>();
+            data->read(populate, options, file);
+            return data->imprint_saved(saved);
+        };
+        imprint = detail::try_reading(file, trial, options.trial_seconds, options.stop);
     }
     const detail::Hush hush;
     auto data = std::make_unique<Data>();
-    detail::with_gmsh([&] { data->read(populate, options, file); },
-                      [&](const std::string& message) { throw FileError(file.string(), message); });
+    const auto read = [&] {
+        if (imprint.empty()) {
+            data->read(populate, options, file);
+        } else {
+            data->take(saved, imprint);
+        }
+    };
+    detail::with_gmsh(read, [&](const std::string& message) { throw FileError(file.string(), message); });
     return GmshBrep(std::move(data));
 }
 

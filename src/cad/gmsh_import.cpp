@@ -111,18 +111,15 @@ void import_file(const std::filesystem::path& file) {
         [&](const std::string& message) { throw FileError(file.string(), message); });
 }
 
-void try_reading(const std::filesystem::path& file, const std::function<void()>& task, double seconds,
-                 const std::stop_token& stop) {
+std::string try_reading(const std::filesystem::path& file, const std::function<std::string()>& task, double seconds,
+                        const std::stop_token& stop) {
     using End = ChildAnswer::End;
     const auto fail = [](const std::string& message) { throw std::runtime_error(message); };
-    const auto read = [&] {
-        with_gmsh([&] { task(); }, fail);
-        return std::string();
-    };
+    const auto read = [&] { return with_gmsh(task, fail); };
     const auto heard_enough = [](const std::string& said) {
         return said.find(syntax_mark) != std::string::npos || said.size() > (1U << 20U);
     };
-    const ChildAnswer answer = run_in_child(read, {.seconds = seconds, .stop = stop, .heard_enough = heard_enough});
+    ChildAnswer answer = run_in_child(read, {.seconds = seconds, .stop = stop, .heard_enough = heard_enough});
     if (answer.end == End::stopped) {
         throw Stopped();
     }
@@ -142,6 +139,7 @@ void try_reading(const std::filesystem::path& file, const std::function<void()>&
         throw FileError(file.string(),
                         answer.reason.rfind(prefix, 0) == 0 ? answer.reason.substr(prefix.size()) : answer.reason);
     }
+    return std::move(answer.bytes);
 }
 
 EntityNames read_names() {

@@ -25,10 +25,10 @@ void check_cad_file(const std::filesystem::path& file);
 /// Puts the solids of \p file into the current Gmsh model. FileError if it holds none.
 void import_file(const std::filesystem::path& file);
 
-/// Runs \p task, which reads \p file, in a child process and reports what goes wrong there. \throws FileError;
-/// Error cad_failure after so many seconds (0: no limit); Stopped
-void try_reading(const std::filesystem::path& file, const std::function<void()>& task, double seconds,
-                 const std::stop_token& stop);
+/// Runs \p task, which reads \p file, in a child process, reports what goes wrong there and hands over what it returns.
+/// \throws FileError; Error cad_failure after so many seconds (0: no limit); Stopped
+std::string try_reading(const std::filesystem::path& file, const std::function<std::string()>& task, double seconds,
+                        const std::stop_token& stop);
 
 /// Intersects the solids of \p model; what is closer than \p tolerance counts as touching. \p populate fills another
 /// model in the same way, for the names of the faces; \p file is where they come from, if they do. Returns the names

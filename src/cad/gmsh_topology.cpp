@@ -249,9 +249,12 @@ private:
         }
         for (const CurveLoop& chain : *loops) {
             EdgeLoop loop;
+            std::vector<LoopPiece>& pieces = face.chains.emplace_back();
             for (const auto& [curve, forward] : chain) {
                 uses[curve].forward = forward;
-                if (uses[curve].edge.valid()) {
+                const bool is_edge = uses[curve].edge.valid();
+                pieces.push_back({curve, forward, is_edge ? face.uses.size() : no_position});
+                if (is_edge) {
                     loop.push_back({uses[curve].edge, forward});
                     face.uses.push_back(uses[curve]);
                 }

@@ -22,6 +22,13 @@ struct EdgeUse {
     std::vector<Vec2> uv;  ///< samples at equal steps of the edge's parameter, continuous
 };
 
+/// A piece of a loop of a face: one of its curves, and the use that it is; no_position for a degenerate curve.
+struct LoopPiece {
+    std::size_t curve = 0;
+    bool forward = true;
+    std::size_t use = 0;
+};
+
 struct EdgeData {
     int tag = 0;
     std::array<VertexId, 2> vertices;
@@ -39,7 +46,8 @@ struct FaceData {
     double area = 0;
     std::vector<EdgeLoop> loops;
     std::vector<EdgeUse> uses;
-    std::vector<BoundaryCurve> curves;  ///< with the degenerate ones
+    std::vector<BoundaryCurve> curves;           ///< with the degenerate ones
+    std::vector<std::vector<LoopPiece>> chains;  ///< the loops as pieces, with the degenerate ones
     Vec2 interior = Vec2::Zero();
 };
 

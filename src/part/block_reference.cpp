@@ -9,7 +9,6 @@
 #include <pavior/dual/features.hpp>
 #include <pavior/io/surface_file.hpp>
 #include <pavior/io/tet_mesh_file.hpp>
-#include <pavior/math/box.hpp>
 #include <pavior/mesh/verify_tets.hpp>
 #include <pavior/part/local_lengths.hpp>
 #include <pavior/tetra/tetrahedralize.hpp>
@@ -18,62 +17,12 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <span>
 #include <utility>
 #include <vector>
 
 namespace pavior {
 
 namespace {
-
-/// Fine hexahedra lie on the triangles: where they are small, these follow the curved faces more closely.
-template <class Cad>
-CadTriangulation triangulate_for(const Cad& cad, double wanted, TriangulationOptions options = {}) {
-    CadTriangulation coarse = triangulate_solids(cad, options);
-    if (wanted > 0.0) {
-        const double size = box_round(std::span<const Vec3>(coarse.surface.mesh.nodes)).extent().norm();
-        options.chord = std::max(0.05 * wanted, size / 2000.0);
-        if (options.chord < size / 200.0) {
-            return triangulate_solids(cad, options);
-        }
-    }
-    return coarse;
-}
-
-/// The triangles on some faces, with what lies on them.
-TaggedSurface part_of(const TaggedSurface& surface, std::vector<int> faces) {
-    std::sort(faces.begin(), faces.end());
-    TaggedSurface part;
-    std::vector<Index> number(surface.mesh.nodes.size(), no_index);
-    for (std::size_t t = 0; t < surface.mesh.triangles.size(); ++t) {
-        if (!std::binary_search(faces.begin(), faces.end(), surface.face_tags[t])) {
-            continue;
-        }
-        auto corners = surface.mesh.triangles[t];
-        for (Index& corner : corners) {
-            if (number[corner] == no_index) {
-                number[corner] = static_cast<Index>(part.mesh.nodes.size());
-                part.mesh.nodes.push_back(surface.mesh.nodes[corner]);
-            }
-            corner = number[corner];
-        }
-        part.mesh.triangles.push_back(corners);
-        part.face_tags.push_back(surface.face_tags[t]);
-    }
-    for (TaggedEdge edge : surface.edges) {
-        if (number[edge.nodes[0]] != no_index && number[edge.nodes[1]] != no_index) {
-            edge.nodes = {number[edge.nodes[0]], number[edge.nodes[1]]};
-            part.edges.push_back(edge);
-        }
-    }
-    for (TaggedNode vertex : surface.vertices) {
-        if (number[vertex.node] != no_index) {
-            vertex.node = number[vertex.node];
-            part.vertices.push_back(vertex);
-        }
-    }
-    return part;
-}
 
 /// The boundary triangles of tetrahedra as a surface.
 TaggedSurface boundary_of(const TaggedTetMesh& tets) {
@@ -104,15 +53,17 @@ BlockReference detail::GmshReferenceMesher::operator()(SolidId solid, double siz
                                                        const FeatureOptions& features) const {
     BlockReference result;
     Stopwatch watch;
-    std::vector<int> faces;
+    result.cad = true;
+    TriangulationOptions own;
+    own.element_size = size;
+    own.longest = longest;
+    own.per_turn = per_turn;
+    CadTriangulation made = triangulate_solid(*model, solid, own);
+    result.surface = std::move(made.surface);
     std::map<std::int32_t, std::int32_t> file_tag;
     for (const OrientedFace& f : model->solid_faces(solid)) {
-        faces.push_back(model->gmsh_tag(2, f.face.index()));
-        file_tag[faces.back()] = model->tag(2, f.face.index());
+        file_tag[model->gmsh_tag(2, f.face.index())] = model->tag(2, f.face.index());
     }
-    result.cad = true;
-    const CadTriangulation made = triangulate_for(*model, size);
-    result.surface = part_of(made.surface, std::move(faces));
     for (std::int32_t& tag : result.surface.face_tags) {
         tag = file_tag.at(tag);
     }
@@ -144,7 +95,8 @@ BlockReference read_block_reference(const std::filesystem::path& file, const Ref
             TriangulationOptions own;
             own.trial_seconds = options.seconds > 0 ? options.seconds : own.trial_seconds;
             own.stop = options.stop;
-            CadTriangulation model = triangulate_for(file, options.size, own);
+            own.element_size = std::max(options.size, 0.0);
+            CadTriangulation model = triangulate_solids(file, own);
             result.surface = std::move(model.surface);
             result.chord = model.chord;
             result.volume = model.volume;

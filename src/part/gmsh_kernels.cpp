@@ -39,15 +39,17 @@ void describe(std::string& text, const AnyModel& model, const MethodReport& repo
 }
 
 Kernels gmsh_kernels(const GmshBrep& model) {
-    return {imprint,
-            GlpkSolver{{10, {}}},
-            GmshRegionMesher{},
-            GmshCapMesher{&model},
-            GmshReferenceMesher{&model},
-            describe,
-            [&model](std::span<const SolidId> solids, const TetSizes& sizes) {
-                return tetrahedra_of(model, solids, sizes);
-            }};
+    return {
+        imprint,
+        GlpkSolver{{10, {}}},
+        GmshRegionMesher{},
+        GmshCapMesher{&model},
+        GmshReferenceMesher{&model},
+        describe,
+        [&model](std::span<const SolidId> solids, const TetSizes& sizes) {
+            return tetrahedra_of(model, solids, sizes);
+        },
+        {GmshReferenceMesher{&model, 1, 16}, GmshReferenceMesher{&model, 1, 20}, GmshReferenceMesher{&model, 1, 12}}};
 }
 
 }  // namespace pavior::detail

@@ -4,6 +4,7 @@
 #include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/part/kernels.hpp>
 
+#include <limits>
 #include <string>
 
 namespace pavior::detail {
@@ -14,6 +15,8 @@ void describe(std::string& text, const AnyModel& model, const MethodReport& repo
 /// Tetrahedra of a solid of a model in memory.
 struct GmshReferenceMesher {
     const GmshBrep* model;
+    double longest = std::numeric_limits<double>::infinity();  ///< TriangulationOptions::longest
+    int per_turn = 16;                                         ///< and per_turn
 
     [[nodiscard]] BlockReference operator()(SolidId solid, double size, const FeatureOptions& features) const;
 };

@@ -108,6 +108,7 @@ PartMesh mesh_file(const std::filesystem::path& file, const PartOptions& options
     report(options.progress, "reading", 0);
     CadOptions cad;
     cad.imprint_tolerance = options.imprint_tolerance;
+    cad.stop = options.execution.stop;
     return mesh_model(GmshBrep::load(file, cad), options);
 }
 

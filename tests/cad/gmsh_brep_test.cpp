@@ -4,6 +4,9 @@
 
 #include <gmsh.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -248,6 +251,46 @@ TEST_CASE("an assembly shares faces and keeps names") {
     CHECK(apart.face_count() == 17);  // 7 + 7 + 3
     CHECK(shared_faces(apart) == 0);
     CHECK(apart.solid_name(SolidId{2}) == "bolt");
+}
+
+TEST_CASE("an assembly that a child process imprinted is the one that is imprinted here") {
+    const std::string file = data + "/assembly/bolt_plate_washer.step";
+    const auto folders = [] {
+        std::size_t count = 0;
+        for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::temp_directory_path())) {
+            count += entry.path().filename().string().rfind("pavior-", 0) == 0 ? 1U : 0U;
+        }
+        return count;
+    };
+    const std::size_t before = folders();
+    const GmshBrep here = GmshBrep::load(file, {.imprint = true, .trial_seconds = 0});
+    const GmshBrep handed = GmshBrep::load(file);
+    CHECK(folders() <= before);
+    const std::array counts{here.vertex_count(), here.edge_count(), here.face_count(), here.solid_count()};
+    REQUIRE(counts ==
+            std::array{handed.vertex_count(), handed.edge_count(), handed.face_count(), handed.solid_count()});
+    for (const int dim : {0, 1, 2, 3}) {
+        for (std::size_t i = 0; i < counts[static_cast<std::size_t>(dim)]; ++i) {
+            CHECK(here.all_tags(dim, i) == handed.all_tags(dim, i));
+            CHECK(here.gmsh_tag(dim, i) == handed.gmsh_tag(dim, i));
+        }
+    }
+    for (std::size_t i = 0; i < here.vertex_count(); ++i) {
+        const VertexId v{static_cast<std::int32_t>(i)};
+        CHECK((here.vertex_point(v) - handed.vertex_point(v)).norm() < 1e-12 * here.diagonal());
+    }
+    for (std::size_t i = 0; i < here.solid_count(); ++i) {
+        const SolidId s{static_cast<std::int32_t>(i)};
+        CHECK(here.solid_name(s) == handed.solid_name(s));
+        CHECK(std::ranges::equal(here.solid_faces(s), handed.solid_faces(s)));
+    }
+    for (std::size_t i = 0; i < here.face_count(); ++i) {
+        const FaceId f{static_cast<std::int32_t>(i)};
+        CHECK(here.face_name(f) == handed.face_name(f));
+        CHECK(std::ranges::equal(here.face_loops(f), handed.face_loops(f)));
+    }
+    CHECK(warnings_of(here.imprint_report()) == warnings_of(handed.imprint_report()));
+    CHECK(here.imprint_report().pieces.size() == handed.imprint_report().pieces.size());
 }
 
 TEST_CASE("names of split faces and physical groups survive the imprint") {

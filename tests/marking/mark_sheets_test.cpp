@@ -198,6 +198,23 @@ TEST_CASE("repair ends after max_rounds, or when there are max_growth times the 
     }
 }
 
+TEST_CASE("sheets and repair end when they have seen max_work tetrahedra") {
+    const ReferenceMesh solid = two_pyramids();
+    MarkingOptions options;
+    const MarkedMesh all = mark_sheets(solid, options);
+    options.max_work = 1e9;
+    const MarkedMesh within = mark_sheets(solid, options);
+    CHECK((within.reference.tets == all.reference.tets && within.reference.layers == all.reference.layers));
+    CHECK(within.report.rounds == all.report.rounds);
+    options.max_work = 1;
+    const MarkedMesh tired = mark_sheets(solid, options);
+    CHECK(tired.report.rounds == 0);
+    CHECK(tired.report.tries == 1);
+    CHECK_FALSE(tired.report.valid);
+    CHECK_FALSE(tired.report.violations.empty());
+    CHECK(tired.reference.tets.size() < all.reference.tets.size());
+}
+
 TEST_CASE("what repair leaves invalid is reported, or every face becomes a layer") {
     MarkingOptions options;
     options.max_rounds = 0;

@@ -2,10 +2,12 @@
 #include "support/grid_cap.hpp"
 #include "support/test_brep.hpp"
 
+#include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/cad/region_quads.hpp>
 #include <pavior/core/stop.hpp>
 #include <pavior/glpk/solve_program.hpp>
 #include <pavior/imprint/imprint.hpp>
+#include <pavior/part/block_reference.hpp>
 #include <pavior/part/detail/trial.hpp>
 #include <pavior/part/try_method.hpp>
 #include <pavior/smooth/report.hpp>
@@ -13,6 +15,9 @@
 #include <functional>
 #include <new>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 using namespace pavior;
 using namespace pavior::test;
@@ -48,6 +53,44 @@ TEST_CASE("Each method by itself meshes what it can, with notes") {
     const MethodTry block = tried(PartMethod::block, b, solids, GridCap<TestBrep>{&b});
     CHECK(block.outcome == TryOutcome::refused);
     CHECK_THAT(block.reason, Catch::Contains("none"));
+}
+
+TEST_CASE("Other tetrahedra are taken where those before have no blocks, if faces are curved") {
+    const std::string file = std::string(PAVIOR_EXAMPLE_DATA) + "/hexme/s15o_cylinder.stp";
+    const GmshBrep cylinder = GmshBrep::load(file);
+    const GmshBrep plane = GmshBrep::load(std::string(PAVIOR_EXAMPLE_DATA) + "/mfcad/2-6-19.step");
+    const std::vector<SolidId> solids{SolidId{0}};
+    std::vector<int> asked;
+    const auto fails = [&](int number) {
+        return [&asked, number](SolidId, double, const FeatureOptions&) -> BlockReference {
+            asked.push_back(number);
+            throw Error(ErrorCode::tetrahedra_failed, "none of " + std::to_string(number));
+        };
+    };
+    const auto works = [&](SolidId, double size, const FeatureOptions& features) {
+        asked.push_back(2);
+        return read_block_reference(file, {.size = size, .features = features});
+    };
+    const auto blocks = [&](const AnyModel& model, std::vector<ReferenceMesher> others, bool out_of_time) {
+        asked.clear();
+        const Kernels kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, {}, fails(1), {}, std::move(others)};
+        PartOptions options;
+        options.size = model.diagonal() / 10;
+        return try_method(PartMethod::block, model, solids, options, kernels,
+                          {.out_of_time = [=] { return out_of_time; }});
+    };
+    const MethodTry made = blocks(cylinder, {fails(3), works, fails(4)}, false);
+    CHECK(made.outcome == TryOutcome::mesh);
+    CHECK(made.min_jacobian >= 0.2);
+    CHECK(asked == std::vector{1, 3, 2});
+    const MethodTry none = blocks(cylinder, {fails(3), fails(4)}, false);
+    CHECK(none.outcome == TryOutcome::refused);
+    CHECK_THAT(none.reason, Catch::Contains("none of 1"));
+    CHECK(asked == std::vector{1, 3, 4});
+    CHECK(blocks(cylinder, {works}, true).outcome == TryOutcome::refused);
+    CHECK(asked == std::vector{1});
+    CHECK(blocks(plane, {fails(3)}, false).outcome == TryOutcome::refused);
+    CHECK(asked == std::vector{1});
 }
 
 TEST_CASE("Whatever a kernel throws becomes the outcome, but for Stopped") {

@@ -23,6 +23,7 @@ namespace pavior {
 
 namespace detail {
 class GmshModel;
+struct Topology;
 }  // namespace detail
 
 /// How a CAD model is read.
@@ -35,7 +36,9 @@ struct CadOptions {
     /// gaps are closed, thin overlaps vanish. In the unit of the model; 0: what the file itself says.
     double imprint_tolerance = 0;
     /// A file is first read in a child process, so that a crash or an endless loop of the CAD kernel on a damaged file
-    /// becomes an error; the child may take this many seconds. 0: read it directly.
+    /// becomes an error; the child may take this many seconds. Solids that it imprinted come back as a file of
+    /// OpenCASCADE's own in a temporary folder, with the same tags; coordinates are those to 15 digits. 0: read it
+    /// directly.
     double trial_seconds = 300;
     std::stop_token stop = {};  ///< ends that first reading by Stopped
 };
@@ -134,6 +137,7 @@ public:
 
     /// The Gmsh model, for the other parts of the component.
     [[nodiscard]] const detail::GmshModel& gmsh_model() const;
+    [[nodiscard]] const detail::Topology& topology() const;
 
 private:
     struct Data;

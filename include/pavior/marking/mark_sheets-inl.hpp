@@ -70,6 +70,10 @@ PAVIOR_INLINE MarkedMesh SheetMarker::mark(Grouping grouping, const std::vector<
     }
     for (const SheetGroup& group : groups) {
         check_stop(options_.execution.stop);
+        if (tired()) {
+            break;
+        }
+        work_ += static_cast<double>(cut.mesh.tets.size());
         SheetCut sheet = sheet_field(cut.mesh, group, fronts_, boundary_, tolerance_);
         cut_sheet(cut, sheet, static_cast<Index>(report.sheets.size()), propagation);
         report.sheets.push_back({group.kind, curves_of(group, fronts_), 0});
@@ -87,7 +91,7 @@ PAVIOR_INLINE void SheetMarker::repair(CutMesh& cut, SheetReport& report, Propag
         options_.max_growth * static_cast<double>(std::max<std::size_t>(now.complex.corners.size(), 16));
     const std::size_t most = 16 * (now.report.violations.size() + 4);
     while (!now.report.valid() && now.report.violations.size() <= most && report.rounds < options_.max_rounds &&
-           static_cast<double>(now.complex.corners.size()) <= limit) {
+           static_cast<double>(now.complex.corners.size()) <= limit && !tired()) {
         std::vector<RepairSheet> repairs = repair_axes(cut.mesh, now, size_);
         if (repairs.empty()) {
             if (auto corner = repair_corner(cut.mesh, now, tolerance_, size_)) {
@@ -96,6 +100,7 @@ PAVIOR_INLINE void SheetMarker::repair(CutMesh& cut, SheetReport& report, Propag
         }
         const std::size_t before = cut.mesh.layers.size();
         cut_repairs(cut, repairs, propagation, tolerance_, static_cast<Index>(report.sheets.size()));
+        work_ += static_cast<double>((1 + repairs.size()) * cut.mesh.tets.size());
         for (const RepairSheet& r : repairs) {
             report.sheets.push_back({r.kind, {}, 0});
         }
@@ -115,7 +120,7 @@ PAVIOR_INLINE MarkedMesh mark_best(const SheetMarker& marker, Propagation propag
     MarkedMesh best = marker.mark(Grouping::exact, exact, propagation, stage_of(progress, 0.0, 0.5));
     best.report.tries = 1;
     const std::vector<SheetGroup> blended = marker.groups(Grouping::blended);
-    if (blended.size() != exact.size()) {
+    if (blended.size() != exact.size() && !marker.tired()) {
         MarkedMesh other = marker.mark(Grouping::blended, blended, propagation, stage_of(progress, 0.5, 1.0));
         if (better_marking(other.report, best.report)) {
             best = std::move(other);

@@ -28,6 +28,9 @@ public:
     [[nodiscard]] MarkedMesh mark(Grouping grouping, const std::vector<SheetGroup>& groups, Propagation propagation,
                                   const Progress& progress) const;
 
+    /// Whether MarkingOptions::max_work is spent.
+    [[nodiscard]] bool tired() const { return options_.max_work > 0 && work_ > options_.max_work; }
+
 private:
     /// Adds sheets until nothing is violated, there is nothing to add or blocks or violations get out of hand.
     void repair(CutMesh& cut, SheetReport& report, Propagation propagation, const Progress& progress) const;
@@ -39,6 +42,7 @@ private:
     TetTopology topology_;
     FrontBoundary boundary_;
     std::vector<Front> fronts_;
+    mutable double work_ = 0;  ///< tetrahedra that sheets and rounds of all tries have seen
 };
 
 /// The better of the two groupings.
@@ -82,7 +86,7 @@ template <classified_tet_mesh M>
     report(options.progress, "sheets", 0.0);
     const detail::SheetMarker marker(reference, options);
     MarkedMesh best = detail::mark_best(marker, Propagation::full, stage_of(options.progress, 0.0, 0.5));
-    if (options.propagation == Propagation::stop || detail::worth_stopping(best.report)) {
+    if (options.propagation == Propagation::stop || (detail::worth_stopping(best.report) && !marker.tired())) {
         MarkedMesh stopped = detail::mark_best(marker, Propagation::stop, stage_of(options.progress, 0.5, 1.0));
         stopped.report.tries += best.report.tries;
         if (detail::stop_pays(stopped.report, best.report)) {

@@ -51,6 +51,9 @@ struct MarkingOptions {
     /// Repair gives up when there are more blocks than this times those of the first round (taken as 16 at least), or
     /// when violations have multiplied by 16.
     double max_growth = 64.0;
+    /// Sheets and rounds are given up when those of all tries together have seen so many tetrahedra; 0: no limit. A
+    /// second sees some 300000. The best of the tries made by then counts.
+    double max_work = 0.0;
     /// What to do when repair gives up: true marks every face of the reference mesh as a layer, which makes four
     /// blocks of each tetrahedron and is always valid (tetrahedra with two faces on one smooth patch are parted at
     /// their centroids before); false leaves the violations in the report.

@@ -85,6 +85,9 @@ struct Kernels {
     /// May add what it makes of a method's own reports to MethodTry::report; may be empty.
     std::function<void(std::string& text, const AnyModel& model, const MethodReport& report)> describe = {};
     TetMesher tets = {};  ///< sized tetrahedra of solids; empty: there is no last resort
+    /// Other tetrahedra of a solid with curved faces, taken one after the other where blocks in those before are none
+    /// or poor: where sheets run depends on the tetrahedra. May be empty.
+    std::vector<ReferenceMesher> other_references = {};
 };
 
 }  // namespace pavior

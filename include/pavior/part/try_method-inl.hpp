@@ -14,12 +14,19 @@
 #include <pavior/part/try_method.hpp>
 #include <pavior/smooth/improve_hexes.hpp>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <map>
 #include <new>
+#include <optional>
 #include <sstream>
+#include <stop_token>
 #include <string>
+#include <thread>
+#include <utility>
 
 namespace pavior {
 
@@ -43,6 +50,11 @@ namespace detail {
     return faces;
 }
 
+[[nodiscard]] inline bool has_curved_face(const AnyModel& b, SolidId solid) {
+    const auto faces = b.solid_faces(solid);
+    return std::any_of(faces.begin(), faces.end(), [&](const OrientedFace& f) { return !plane_of(b, f.face); });
+}
+
 inline void try_block(Trial& trial) {
     MethodTry& result = trial.result;
     if (trial.solids.size() != 1) {
@@ -57,6 +69,9 @@ inline void try_block(Trial& trial) {
     own.refine->max_angle = trial.options.max_angle;
     own.refine->curve_size = local.edge;
     own.refine->patch_size = local.face;
+    if (!trial.kernels.other_references.empty() && has_curved_face(trial.model, trial.solids[0])) {
+        own.marking.max_work = 2.5e6;
+    }
     const BlockedModel model = block_model(trial.model, trial.solids[0], own, trial.kernels.reference);
     if (model.shallow_creases) {
         result.notes.emplace_back("edges of less than 45 degrees are features, too, since all faces are plane");
@@ -109,34 +124,32 @@ inline void judge(Trial& trial, const std::function<bool()>& out_of_time) {
     trial.describe(&judged);
 }
 
-}  // namespace detail
-
-PAVIOR_INLINE MethodTry try_method(PartMethod method, const AnyModel& model, std::span<const SolidId> solids,
-                                   const PartOptions& options, const Kernels& kernels, const TryTimes& times) {
+[[nodiscard]] inline MethodTry try_once(PartMethod method, const AnyModel& model, std::span<const SolidId> solids,
+                                        const PartOptions& options, const Kernels& kernels, const TryTimes& times) {
     MethodTry result;
     result.method = method;
     const Stopwatch watch;
-    detail::Trial trial{model, solids, options, kernels, times.out_of_time, result, times.seconds};
+    Trial trial{model, solids, options, kernels, times.out_of_time, result, times.seconds};
     try {
         switch (method) {
-            case PartMethod::submap: detail::try_submap(trial); break;
-            case PartMethod::sweep: detail::try_sweep(trial); break;
-            case PartMethod::multi_sweep: detail::try_multi_sweep(trial); break;
-            case PartMethod::mixed: detail::try_mixed(trial); break;
-            case PartMethod::block: detail::try_block(trial); break;
-            case PartMethod::split: detail::try_split(trial); break;
+            case PartMethod::submap: try_submap(trial); break;
+            case PartMethod::sweep: try_sweep(trial); break;
+            case PartMethod::multi_sweep: try_multi_sweep(trial); break;
+            case PartMethod::mixed: try_mixed(trial); break;
+            case PartMethod::block: try_block(trial); break;
+            case PartMethod::split: try_split(trial); break;
         }
         if (method != PartMethod::split && !times.out_of_time()) {  // which has done its own, and more
-            detail::improve(trial);
+            improve(trial);
         }
         if (times.made) {
             times.made();
         }
-        detail::judge(trial, times.no_time_to_check);
+        judge(trial, times.no_time_to_check);
     } catch (const Stopped&) {
         throw;
     } catch (const Error& error) {
-        detail::refuse(result, error);
+        refuse(result, error);
     } catch (const std::bad_alloc&) {
         result.outcome = TryOutcome::died;
         result.reason = "not enough memory";
@@ -144,6 +157,79 @@ PAVIOR_INLINE MethodTry try_method(PartMethod method, const AnyModel& model, std
         result.outcome = TryOutcome::died;
         result.reason = error.what();
     }
+    result.seconds = watch.total();
+    return result;
+}
+
+/// Asks for a stop when the time of a try is over or the caller asks for one.
+class StopInTime {
+public:
+    StopInTime(const std::function<bool()>& out_of_time, const std::stop_token& callers)
+        : watcher_([this, &out_of_time, callers](const std::stop_token& over) {
+              while (!over.stop_requested() && !source_.stop_requested()) {
+                  if (callers.stop_requested() || out_of_time()) {
+                      source_.request_stop();
+                  }
+                  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+              }
+          }) {}
+    [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
+
+private:
+    std::stop_source source_;
+    std::jthread watcher_;
+};
+
+[[nodiscard]] inline bool better(const MethodTry& a, const MethodTry& b) {
+    const bool is_mesh = a.outcome == TryOutcome::mesh;
+    return is_mesh != (b.outcome == TryOutcome::mesh) ? is_mesh : is_mesh && a.min_jacobian > b.min_jacobian;
+}
+
+/// Blocks in one reference mesh after the other until they suffice; a mesh that is made is kept when the time is over.
+[[nodiscard]] inline MethodTry try_references(const AnyModel& model, std::span<const SolidId> solids,
+                                              const PartOptions& options, const Kernels& kernels,
+                                              const TryTimes& times) {
+    TryTimes own = times;
+    own.made = nullptr;  // others may follow
+    MethodTry best = try_once(PartMethod::block, model, solids, options, kernels, own);
+    for (const ReferenceMesher& other : kernels.other_references) {
+        const bool is_mesh = best.outcome == TryOutcome::mesh;
+        if ((is_mesh && best.min_jacobian >= options.sufficient) || times.out_of_time()) {
+            break;
+        }
+        Kernels others = kernels;
+        others.reference = other;
+        std::optional<StopInTime> limit;
+        PartOptions within = options;
+        if (is_mesh) {
+            limit.emplace(times.out_of_time, options.execution.stop);
+            within.execution.stop = limit->token();
+        }
+        try {
+            MethodTry next = try_once(PartMethod::block, model, solids, within, others, own);
+            if (better(next, best)) {
+                best = std::move(next);
+            }
+        } catch (const Stopped&) {
+            check_stop(options.execution.stop);
+            break;
+        }
+    }
+    if (times.made) {
+        times.made();
+    }
+    return best;
+}
+
+}  // namespace detail
+
+PAVIOR_INLINE MethodTry try_method(PartMethod method, const AnyModel& model, std::span<const SolidId> solids,
+                                   const PartOptions& options, const Kernels& kernels, const TryTimes& times) {
+    const bool several = method == PartMethod::block && !kernels.other_references.empty() && solids.size() == 1 &&
+                         detail::has_curved_face(model, solids[0]);
+    const Stopwatch watch;
+    MethodTry result = several ? detail::try_references(model, solids, options, kernels, times)
+                               : detail::try_once(method, model, solids, options, kernels, times);
     result.seconds = watch.total();
     return result;
 }
