@@ -117,7 +117,7 @@ TEST_CASE("An assembly is split as one: it conforms across all shared faces, wit
 TEST_CASE("The tip of a cone and the pole of a ball") {
     for (const auto& [name, size] : {std::pair("cone_full.step", 0.3), {"sphere.step", 0.4}}) {
         CAPTURE(name);
-        const GmshBrep model = GmshBrep::load(std::string(PAVIOR_TEST_DATA) + "/faults/" + name);
+        const GmshBrep model = GmshBrep::load(std::string(PAVIOR_TEST_DATA).append("/faults/").append(name));
         const double wanted = size * model.diagonal() / 4;
         const PartMesh part = split(model, wanted);
         INFO(reason_of(part));

@@ -73,7 +73,7 @@ TEST_CASE("Other tetrahedra are taken where those before have no blocks, if face
     };
     const auto blocks = [&](const AnyModel& model, std::vector<ReferenceMesher> others, bool out_of_time) {
         asked.clear();
-        const Kernels kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, {}, fails(1), {}, std::move(others)};
+        const Kernels kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, {}, fails(1), {}, {}, std::move(others)};
         PartOptions options;
         options.size = model.diagonal() / 10;
         return try_method(PartMethod::block, model, solids, options, kernels,
