@@ -199,10 +199,11 @@ public:
     double run() {
         move_to_model();
         double least = late_() ? minimum() : raise(false, 30);
-        for (int slice = 0; slice < 5 && least < enough() && !late_(); ++slice) {
+        constexpr int most_rings = 4;
+        for (int slice = 0, rings = 2; slice < 7 && least < enough() && !late_(); ++slice) {
             const double before = least;
-            least = raise(true, 20);
-            if (!(least > before + 1e-3)) {
+            least = raise(true, 20, rings);
+            if (!(least > before + 1e-3) && (least >= options_.sufficient || ++rings > most_rings)) {
                 break;
             }
         }
@@ -309,11 +310,12 @@ private:
     }
 
     /// improve_hexes() with the boundary fixed, or sliding. \return the least scaled Jacobian
-    double raise(bool sliding, double effort) {
+    double raise(bool sliding, double effort, int rings = 2) {
         ImproveOptions own;
         own.target = 0.5;
         own.sufficient = enough();
         own.effort = effort;
+        own.rings = rings;
         own.execution = options_.execution;
         const std::span<Vec3> nodes(mesh_.nodes);
         const std::span<const HexCorners> hexes(mesh_.hexes);
