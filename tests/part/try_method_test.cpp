@@ -12,10 +12,15 @@
 #include <pavior/part/try_method.hpp>
 #include <pavior/smooth/report.hpp>
 
+#include <atomic>
+#include <chrono>
+#include <cstddef>
 #include <functional>
 #include <new>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -91,6 +96,48 @@ TEST_CASE("Other tetrahedra are taken where those before have no blocks, if face
     CHECK(asked == std::vector{1});
     CHECK(blocks(plane, {fails(3)}, false).outcome == TryOutcome::refused);
     CHECK(asked == std::vector{1});
+}
+
+TEST_CASE("A mesh that is made outlives the end of the time") {
+    const std::string file = std::string(PAVIOR_EXAMPLE_DATA) + "/hexme/s15o_cylinder.stp";
+    const GmshBrep cylinder = GmshBrep::load(file);
+    const std::vector<SolidId> solids{SolidId{0}};
+    std::atomic<bool> late = false;
+    const auto works = [&](SolidId, double size, const FeatureOptions& features) {
+        return read_block_reference(file, {.size = size, .features = features});
+    };
+    const auto works_too_late = [&](SolidId solid, double size, const FeatureOptions& features) {
+        late = true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        return works(solid, size, features);
+    };
+    int third = 0;
+    const auto counts = [&](SolidId solid, double size, const FeatureOptions& features) {
+        ++third;
+        return works(solid, size, features);
+    };
+    const Kernels kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, {}, works, {}, {works_too_late, counts}};
+    PartOptions options;
+    options.size = cylinder.diagonal() / 10;
+    options.sufficient = 0.999;  // more than there is
+    std::size_t made = 0;
+    const MethodTry result = try_method(PartMethod::block, cylinder, solids, options, kernels,
+                                        {.out_of_time = [&] { return late.load(); }, .made = [&] { ++made; }});
+    CHECK(result.outcome == TryOutcome::mesh);
+    CHECK(result.min_jacobian >= 0.2);
+    CHECK(made == 1);
+    CHECK(third == 0);
+    late = false;
+    std::stop_source stop;
+    options.execution.stop = stop.get_token();
+    const auto stops = [&](SolidId solid, double size, const FeatureOptions& features) {
+        stop.request_stop();
+        return works(solid, size, features);
+    };
+    const Kernels stopping{imprint, GlpkSolver{}, GmshRegionMesher{}, {}, works, {}, {stops}};
+    CHECK_THROWS_AS(
+        try_method(PartMethod::block, cylinder, solids, options, stopping, {.out_of_time = [] { return false; }}),
+        Stopped);
 }
 
 TEST_CASE("Whatever a kernel throws becomes the outcome, but for Stopped") {

@@ -20,8 +20,8 @@ struct TriangulationOptions {
     /// Largest distance of an edge's middle and of a triangle's centre from its face; 0 (default): 1/200 of the
     /// diagonal of the box round the model.
     double chord = 0.0;
-    /// Size of elements that are to lie on the triangles: the chord becomes a twentieth of it where that is less, but no
-    /// less than 1/2000 of the diagonal. 0 (default): none.
+    /// Size of elements that are to lie on the triangles: the chord becomes a twentieth of it where that is less, but
+    /// no less than 1/2000 of the diagonal. 0 (default): none.
     double element_size = 0.0;
     /// Edges along one full turn of a curved curve or face, at least.
     int per_turn = 16;

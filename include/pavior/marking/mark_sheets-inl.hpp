@@ -35,6 +35,15 @@ namespace detail {
     return curves;
 }
 
+/// How much longer than at a plane a sheet looks at a tetrahedron: surfaces made of facets look at each of these.
+[[nodiscard]] inline double work_of(const SheetGroup& group) {
+    std::size_t facets = 0;
+    for (const SheetMember& member : group.members) {
+        facets += member.surface.facets.size();
+    }
+    return 1 + static_cast<double>(facets) / 30;
+}
+
 /// The tolerance as a length. Where the boundary has shorter edges than some of these it is less, else the walls of a
 /// thin slot would be one surface.
 [[nodiscard]] inline double marking_tolerance(const ReferenceMesh& mesh, double relative, double size) {
@@ -73,7 +82,7 @@ PAVIOR_INLINE MarkedMesh SheetMarker::mark(Grouping grouping, const std::vector<
         if (tired()) {
             break;
         }
-        work_ += static_cast<double>(cut.mesh.tets.size());
+        work_ += work_of(group) * static_cast<double>(cut.mesh.tets.size());
         SheetCut sheet = sheet_field(cut.mesh, group, fronts_, boundary_, tolerance_);
         cut_sheet(cut, sheet, static_cast<Index>(report.sheets.size()), propagation);
         report.sheets.push_back({group.kind, curves_of(group, fronts_), 0});
