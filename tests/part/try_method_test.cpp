@@ -116,7 +116,7 @@ TEST_CASE("A mesh that is made outlives the end of the time") {
         ++third;
         return works(solid, size, features);
     };
-    const Kernels kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, {}, works, {}, {works_too_late, counts}};
+    const Kernels kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, {}, works, {}, {}, {works_too_late, counts}};
     PartOptions options;
     options.size = cylinder.diagonal() / 10;
     options.sufficient = 0.999;  // more than there is
@@ -134,7 +134,7 @@ TEST_CASE("A mesh that is made outlives the end of the time") {
         stop.request_stop();
         return works(solid, size, features);
     };
-    const Kernels stopping{imprint, GlpkSolver{}, GmshRegionMesher{}, {}, works, {}, {stops}};
+    const Kernels stopping{imprint, GlpkSolver{}, GmshRegionMesher{}, {}, works, {}, {}, {stops}};
     CHECK_THROWS_AS(
         try_method(PartMethod::block, cylinder, solids, options, stopping, {.out_of_time = [] { return false; }}),
         Stopped);
