@@ -79,17 +79,22 @@ private:
         return (there[0] - x).norm() <= tolerance_ && model_.inside_face(tag, uv);
     }
 
+    /// By the parameter of the point: Gmsh's getClosestPoint() leaves that of an edge unset.
     [[nodiscard]] bool on_edge(int tag, const Vec3& x) const {
-        std::vector<double> closest, t;
+        std::vector<double> t;
         try {
-            gmsh::model::getClosestPoint(1, tag, {x[0], x[1], x[2]}, closest, t);
+            gmsh::model::getParametrization(1, tag, {x[0], x[1], x[2]}, t);
         } catch (...) {
             return false;
         }
         const auto range = model_.edge_range(tag);
         const double slack = 1e-6 * (range[1] - range[0]);
-        return closest.size() == 3 && t.size() == 1 && t[0] >= range[0] - slack && t[0] <= range[1] + slack &&
-               (Vec3(closest[0], closest[1], closest[2]) - x).norm() <= tolerance_;
+        if (t.size() != 1 || !(t[0] >= range[0] - slack && t[0] <= range[1] + slack)) {
+            return false;
+        }
+        std::array<Vec3, 1> there;
+        model_.edge_points(tag, t, there);
+        return (there[0] - x).norm() <= tolerance_;
     }
 
     GmshModel model_;
