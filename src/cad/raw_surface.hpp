@@ -1,6 +1,6 @@
 #pragma once
-// Triangles on the faces of the current Gmsh model, whoever made them, and how they become a surface. Internal to the cad
-// component.
+// Triangles on the faces of the current Gmsh model, whoever made them, and how they become a surface. Internal to the
+// cad component.
 
 #include <pavior/cad/triangulation.hpp>
 #include <pavior/math/point.hpp>

@@ -180,8 +180,8 @@ private:
         }
     }
 
-    /// Three tetrahedra round the edge from \p apex to the node across \p face, instead of the two on the face, which is
-    /// seen from outside of \p t.
+    /// Three tetrahedra round the edge from \p apex to the node across \p face, instead of the two on the face, which
+    /// is seen from outside of \p t.
     [[nodiscard]] Flip without_face(Index t, const TriCorners& face, Index apex) const {
         if (is_tagged(face)) {
             return {};

@@ -30,11 +30,11 @@ struct FlippedTets {
 
 /// Removes inner faces and edges of \p tets where the tetrahedra that take their place have a better worst split
 /// (split_tets(), as it is before any node is moved): two tetrahedra become three, n round an edge (3 to 8) 2 (n - 2),
-/// in the way of all that is best. Fewer tetrahedra then share sharp edges and corners. The tagged triangles, which must
-/// include the boundary, remain as they are, and so do all edges on them. Two of them on one tetrahedron that meet at more
-/// than 150 degrees are avoided: the middle of their edge could not be moved onto a smooth surface. All tetrahedra stay
-/// positive, the minimum (`before`, `after`) does not fall.
-/// O(n log n) for a few poor ones among n. Deterministic, thread-safe.
+/// in the way of all that is best. Fewer tetrahedra then share sharp edges and corners. The tagged triangles, which
+/// must include the boundary, remain as they are, and so do all edges on them. Two of them on one tetrahedron that
+/// meet at more than 150 degrees are avoided: the middle of their edge could not be moved onto a smooth surface. All
+/// tetrahedra stay positive, the minimum (`before`, `after`) does not fall. O(n log n) for a few poor ones among n.
+/// Deterministic, thread-safe.
 /// \throws InputError bad_option, bad_index (of a node); Stopped
 [[nodiscard]] PAVIOR_INLINE FlippedTets flip_tets(const TaggedTetMesh& tets, const FlipOptions& options = {});
 

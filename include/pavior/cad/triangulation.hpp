@@ -48,12 +48,13 @@ struct CadTriangulation {
 };
 
 /// Triangulates the solids of a .step, .stp, .iges, .igs or .brep file. Every curve gets as many nodes as chord and
-/// per_turn ask of it, equally many on arcs of one angle whose radii differ little. Plane faces and those that bend one
-/// way have the nodes of their curves alone: triangles as long as they are straight; faces that bend both ways get inner
-/// nodes where the chord asks for them. Where a size is asked for, and for faces whose parameters are no good, Gmsh's
-/// surface mesher makes small triangles everywhere on curved faces. Touching solids are made to share their faces.
-/// Closed shells without gaps; triangles counter-clockwise seen from outside the solid. Coarse triangles of a thin curved wall may cross each other: check_surface() tells, a smaller chord helps.
-/// NOT thread-safe (see GmshBrep). Deterministic.
+/// per_turn ask of it, equally many on arcs of one angle whose radii differ little. Plane faces and those that bend
+/// one way have the nodes of their curves alone: triangles as long as they are straight; faces that bend both ways get
+/// inner nodes where the chord asks for them. Where a size is asked for, and for faces whose parameters are no good,
+/// Gmsh's surface mesher makes small triangles everywhere on curved faces. Touching solids are made to share their
+/// faces. Closed shells without gaps; triangles counter-clockwise seen from outside the solid. Coarse triangles of a
+/// thin curved wall may cross each other: check_surface() tells, a smaller chord helps. NOT thread-safe (see
+/// GmshBrep). Deterministic.
 /// \throws FileError for what cannot be read; Error(cad_failure) naming the faces that could not be meshed, or if the
 ///         chord is not reached; InputError(bad_option)
 [[nodiscard]] CadTriangulation triangulate_solids(const std::filesystem::path& file,

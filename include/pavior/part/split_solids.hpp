@@ -48,13 +48,13 @@ struct SplitSolids : SolidsMesh {
     std::string limit;         ///< what the least scaled Jacobian is at; empty where it is sufficient
 };
 
-/// Meshes \p solids, which may touch and then conform: tetrahedra by \p mesher, flipped (flip_tets()), each split in four
-/// (split_tets()), boundary nodes moved onto their faces and edges, then improve_hexes(), first with a fixed boundary, then
-/// with nodes that slide. Nodes move as far as all hexahedra stay positive, again when there is more room; the mesh is
-/// valid at any time, as the split tetrahedra are. Where the result is not sufficient, or \p mesher fails, other sizes
-/// follow, also shorter ones where the solids are thin. The best counts: sufficient, all nodes on the model, least scaled
-/// Jacobian, in this order. Deterministic if the model and the mesher are and no limit of time strikes; the same bytes
-/// for any number of threads.
+/// Meshes \p solids, which may touch and then conform: tetrahedra by \p mesher, flipped (flip_tets()), each split in
+/// four (split_tets()), boundary nodes moved onto their faces and edges, then improve_hexes(), first with a fixed
+/// boundary, then with nodes that slide. Nodes move as far as all hexahedra stay positive, again when there is more
+/// room; the mesh is valid at any time, as the split tetrahedra are. Where the result is not sufficient, or \p mesher
+/// fails, other sizes follow, also shorter ones where the solids are thin. The best counts: sufficient, all nodes on
+/// the model, least scaled Jacobian, in this order. Deterministic if the model and the mesher are and no limit of time
+/// strikes; the same bytes for any number of threads.
 /// \throws InputError bad_option; UnmeshableError tetrahedra_failed with the reason of each attempt; Stopped; what the
 /// model throws
 [[nodiscard]] PAVIOR_INLINE SplitSolids split_solids(const AnyModel& b, std::span<const SolidId> solids,
