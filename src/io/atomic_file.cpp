@@ -2,6 +2,8 @@
 
 #include <pavior/core/error.hpp>
 
+#include "../common/unfinished.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
@@ -18,19 +20,9 @@ namespace pavior {
 
 namespace fs = std::filesystem;
 
+using detail::unfinished;
+
 namespace {
-
-/// The temporaries that exist or may.
-struct Unfinished {
-    std::mutex mutex;
-    std::vector<std::string> files;
-    bool closed = false;  ///< nothing gets into place any more
-};
-
-Unfinished& unfinished() {
-    static Unfinished all;
-    return all;
-}
 
 /// The file that \p file names in the end.
 fs::path behind_links(const std::string& file) {
@@ -74,13 +66,12 @@ AtomicFile::AtomicFile(const std::string& file) : file_(file) {
     }
     target_ = target.string();
     temporary_ = temporary_name(target);
-    const std::scoped_lock lock(unfinished().mutex);
-    unfinished().files.push_back(temporary_);
+    detail::add_unfinished(temporary_);
 }
 
 AtomicFile::~AtomicFile() {
     const std::scoped_lock lock(unfinished().mutex);
-    std::erase(unfinished().files, temporary_);
+    std::erase(unfinished().places, temporary_);
     std::error_code ignored;
     fs::remove(temporary_, ignored);
 }
@@ -137,12 +128,12 @@ void write_atomically(const std::string& file, const std::function<void(const st
 }
 
 void discard_unfinished_files() noexcept {
-    Unfinished& all = unfinished();
+    detail::Unfinished& all = unfinished();
     const std::scoped_lock lock(all.mutex);
     all.closed = true;
-    for (const std::string& file : all.files) {
+    for (const std::string& place : all.places) {
         std::error_code ignored;
-        fs::remove(file, ignored);
+        fs::remove_all(place, ignored);
     }
 }
 

@@ -166,6 +166,7 @@ TEST_CASE("a disk that is full fails the run and leaves nothing, in every format
 
 TEST_CASE("a run that is told to end leaves no file and no process, and says so by its code") {
     const Directory here("signals");
+    REQUIRE(setenv("TMPDIR", here.file("").c_str(), 1) == 0);  // what is passed to children goes there
     const std::string mesh = here.file("unfinished.vtu");
     const std::string model = std::string(PAVIOR_EXAMPLE_DATA) + "/mfcad/10-11-11-11-11-23.step";
     for (const double seconds : {0.1, 0.7, 2.0}) {
@@ -179,6 +180,7 @@ TEST_CASE("a run that is told to end leaves no file and no process, and says so 
             CHECK_FALSE(any_left(mesh));
         }
     }
+    unsetenv("TMPDIR");
 }
 
 TEST_CASE("--timeout holds for the whole program, whatever it does") {
