@@ -113,7 +113,7 @@ def mesh(args, name, size, part):
     row["jacobian"] = data["mesh"]["quality"]["scaled_jacobian"]["min"]
     row["hexahedra"] = data["mesh"]["hexahedra"]
     off = data["deviation"]
-    row["note"] = f"{100 * off['relative_volume']:.2g} %" if off.get("relative_volume") is not None else ""
+    row["note"] = f"{100 * off['relative_volume']:.2f} %" if off.get("relative_volume") is not None else ""
     if args.check:
         row["agrees"] = subprocess.run(["/usr/bin/python3", args.check, str(target)],
                                        stdout=subprocess.DEVNULL).returncode == 0
