@@ -137,6 +137,13 @@ TEST_CASE("The last resort comes in the place of a poor mesh only if it is suffi
     }
 }
 
+TEST_CASE("Beside a mesh that is good for nothing the last resort need not be sufficient") {
+    Script script{{{PartMethod::block, {TryOutcome::mesh, 0.04}}, {PartMethod::split, {TryOutcome::mesh, 0.19}}}};
+    const PartDecision decision = run(script, {}, 1);
+    REQUIRE(decision.taken);
+    CHECK(decision.tries[*decision.taken].method == PartMethod::split);
+}
+
 TEST_CASE("What others use up of the time, the last resort has nevertheless") {
     PartOptions options;
     options.seconds = 0.02;

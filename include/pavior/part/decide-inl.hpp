@@ -17,19 +17,20 @@ namespace detail {
            std::pair(b.outcome == TryOutcome::mesh, b.min_jacobian);
 }
 
-/// Takes the last mesh if it is better than the one taken so far; the other is dropped. In the place of a valid one it
-/// comes only if its least scaled Jacobian is \p least.
+/// Takes the last mesh if it is better than the one taken so far; the other is dropped. In the place of a valid one
+/// whose least scaled Jacobian is a quarter of \p least it comes only if its own is \p least.
 inline void take_better(PartDecision& decision, double least) {
     MethodTry& last = decision.tries.back();
     if (!last.has_mesh()) {
         return;
     }
-    if (decision.taken &&
-        (!better_try(last, decision.tries[*decision.taken]) || (decision.valid() && last.min_jacobian < least))) {
-        last.data = {};
-        return;
-    }
     if (decision.taken) {
+        const MethodTry& taken = decision.tries[*decision.taken];
+        const bool stays = decision.valid() && taken.min_jacobian >= 0.25 * least && last.min_jacobian < least;
+        if (stays || !better_try(last, taken)) {
+            last.data = {};
+            return;
+        }
         decision.tries[*decision.taken].data = {};
     }
     decision.taken = decision.tries.size() - 1;
