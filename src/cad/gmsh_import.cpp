@@ -1,5 +1,6 @@
 #include "gmsh_import.hpp"
 
+#include "../common/bare_message.hpp"
 #include "../common/child_process.hpp"
 #include "../common/file_extension.hpp"
 #include "gmsh_options.hpp"
@@ -135,9 +136,7 @@ std::string try_reading(const std::filesystem::path& file, const std::function<s
         throw FileError(file.string(), "the CAD kernel " + answer.reason + " on it");
     }
     if (answer.end == End::threw) {
-        const std::string prefix = FileError(file.string(), "").what();
-        throw FileError(file.string(),
-                        answer.reason.rfind(prefix, 0) == 0 ? answer.reason.substr(prefix.size()) : answer.reason);
+        throw FileError(file.string(), bare_message(file.string(), answer.reason));
     }
     return std::move(answer.bytes);
 }

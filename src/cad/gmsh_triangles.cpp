@@ -2,6 +2,7 @@
 
 #include "../common/byte_arrays.hpp"
 #include "../common/child_process.hpp"
+#include "gmsh_mesh.hpp"
 #include "gmsh_model.hpp"
 #include "gmsh_options.hpp"
 
@@ -15,9 +16,6 @@
 namespace pavior::detail {
 
 namespace {
-
-constexpr int line_type = 1;
-constexpr int triangle_type = 2;
 
 double model_diagonal() { return bounding_box().extent().norm(); }
 
@@ -43,27 +41,6 @@ void generate(const Recipe& recipe, double size, double least, int per_turn) {
         gmsh::model::mesh::setAlgorithm(2, face, size > 0.0 || !is_plane(face) ? recipe.algorithm : initial_only);
     }
     gmsh::model::mesh::generate(2);
-}
-
-/// Elements of one type on an entity: node tags, so many an element.
-std::vector<std::size_t> elements(int type, int tag) {
-    std::vector<std::size_t> names;
-    std::vector<std::size_t> nodes;
-    gmsh::model::mesh::getElementsByType(type, names, nodes, tag);
-    return nodes;
-}
-
-/// Coordinates by node tag.
-std::map<std::size_t, Vec3> mesh_nodes() {
-    std::vector<std::size_t> tags;
-    std::vector<double> x;
-    std::vector<double> parameters;
-    gmsh::model::mesh::getNodes(tags, x, parameters, -1, -1, false, false);
-    std::map<std::size_t, Vec3> nodes;
-    for (std::size_t i = 0; i < tags.size(); ++i) {
-        nodes.emplace(tags[i], Vec3(x[3 * i], x[3 * i + 1], x[3 * i + 2]));
-    }
-    return nodes;
 }
 
 /// Largest distance of edge middles and triangle centres from the faces they belong to. Plane faces have none.
@@ -160,12 +137,8 @@ RawSurface gmsh_mesh(double chord) {
         raw.curves[curve] = elements(line_type, curve);
     }
     for (const int vertex : entities_of(0)) {
-        std::vector<std::size_t> tags;
-        std::vector<double> x;
-        std::vector<double> parameters;
-        gmsh::model::mesh::getNodes(tags, x, parameters, 0, vertex, false, false);
-        if (tags.size() == 1) {
-            raw.vertices[vertex] = tags[0];
+        if (const auto node = vertex_node(vertex)) {
+            raw.vertices[vertex] = *node;
         }
     }
     gmsh::model::mesh::clear();

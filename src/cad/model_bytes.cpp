@@ -37,16 +37,22 @@ void get_report(ByteReader& reader, ImprintReport& report) {
     }
 }
 
+/// Calls visit(array) for each array of a surface.
+template <class Surface, class Visit>
+void for_arrays(Surface& surface, Visit&& visit) {
+    visit(surface.mesh.nodes);
+    visit(surface.mesh.triangles);
+    visit(surface.face_tags);
+    visit(surface.edges);
+    visit(surface.vertices);
+}
+
 }  // namespace
 
 std::string to_bytes(const CadTriangulation& triangulation) {
     const TaggedSurface& surface = triangulation.surface;
     ByteWriter writer;
-    writer.add(surface.mesh.nodes);
-    writer.add(surface.mesh.triangles);
-    writer.add(surface.face_tags);
-    writer.add(surface.edges);
-    writer.add(surface.vertices);
+    for_arrays(surface, [&](const auto& array) { writer.add(array); });
     std::vector<std::int32_t> named;
     for (const auto& [tag, name] : surface.face_names) {
         named.push_back(tag);
@@ -65,11 +71,7 @@ CadTriangulation triangulation_from_bytes(const std::string& bytes) {
     CadTriangulation triangulation;
     TaggedSurface& surface = triangulation.surface;
     ByteReader reader(bytes);
-    reader.get(surface.mesh.nodes);
-    reader.get(surface.mesh.triangles);
-    reader.get(surface.face_tags);
-    reader.get(surface.edges);
-    reader.get(surface.vertices);
+    for_arrays(surface, [&](auto& array) { reader.get(array); });
     std::vector<std::int32_t> named;
     reader.get(named);
     for (const std::int32_t tag : named) {

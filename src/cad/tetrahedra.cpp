@@ -6,6 +6,7 @@
 
 #include "../common/byte_arrays.hpp"
 #include "../common/child_process.hpp"
+#include "gmsh_mesh.hpp"
 #include "gmsh_model.hpp"
 #include "gmsh_options.hpp"
 
@@ -25,10 +26,6 @@
 namespace pavior {
 
 namespace {
-
-constexpr int line_type = 1;
-constexpr int triangle_type = 2;
-constexpr int tet_type = 4;
 
 void check_sizes(const TetSizes& sizes) {
     const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
@@ -206,14 +203,6 @@ void generate(const GmshBrep& model, std::span<const SolidId> solids, const Scop
     gmsh::model::mesh::generate(3);
 }
 
-/// Elements of one type on an entity: node tags, so many an element.
-std::vector<std::size_t> elements(int type, int tag) {
-    std::vector<std::size_t> names;
-    std::vector<std::size_t> nodes;
-    gmsh::model::mesh::getElementsByType(type, names, nodes, tag);
-    return nodes;
-}
-
 /// Reads the mesh of the current model.
 class Collector {
 public:
@@ -224,18 +213,15 @@ public:
         collect_tets();
         collect_triangles();
         for (const EdgeId e : scope_.edges) {
-            const std::vector<std::size_t> nodes = elements(line_type, model_.gmsh_tag(1, e.index()));
+            const std::vector<std::size_t> nodes = detail::elements(detail::line_type, model_.gmsh_tag(1, e.index()));
             for (std::size_t i = 0; i + 1 < nodes.size(); i += 2) {
                 result_.tets.edges.push_back({{number(nodes[i]), number(nodes[i + 1])}, e.value});
             }
         }
         for (const VertexId v : scope_.vertices) {
-            std::vector<std::size_t> tags;
-            std::vector<double> x;
-            std::vector<double> parameters;
-            gmsh::model::mesh::getNodes(tags, x, parameters, 0, model_.gmsh_tag(0, v.index()), false, false);
-            if (tags.size() == 1 && number_.contains(tags[0])) {
-                result_.tets.vertices.push_back({number_.at(tags[0]), v.value});
+            const auto node = detail::vertex_node(model_.gmsh_tag(0, v.index()));
+            if (node && number_.contains(*node)) {
+                result_.tets.vertices.push_back({number_.at(*node), v.value});
             }
         }
         return std::move(result_);
@@ -256,21 +242,14 @@ private:
         std::vector<std::size_t> corners;
         for (const SolidId solid : solids_) {
             const int tag = model_.gmsh_tag(3, solid.index());
-            const std::vector<std::size_t> own = elements(tet_type, tag);
+            const std::vector<std::size_t> own = detail::elements(detail::tet_type, tag);
             if (own.empty()) {
                 fail("Gmsh made no tetrahedra in solid " + std::to_string(model_.tag(3, solid.index())));
             }
             corners.insert(corners.end(), own.begin(), own.end());
             result_.tet_solid.insert(result_.tet_solid.end(), own.size() / 4, solid);
         }
-        std::vector<std::size_t> tags;
-        std::vector<double> x;
-        std::vector<double> parameters;
-        gmsh::model::mesh::getNodes(tags, x, parameters, -1, -1, false, false);
-        std::map<std::size_t, Vec3> points;
-        for (std::size_t i = 0; i < tags.size(); ++i) {
-            points.emplace(tags[i], Vec3(x[3 * i], x[3 * i + 1], x[3 * i + 2]));
-        }
+        const std::map<std::size_t, Vec3> points = detail::mesh_nodes();
         for (const std::size_t tag : std::set<std::size_t>(corners.begin(), corners.end())) {
             number_.emplace(tag, static_cast<Index>(result_.tets.mesh.nodes.size()));
             result_.tets.mesh.nodes.push_back(points.at(tag));
@@ -300,7 +279,8 @@ private:
         std::vector<std::pair<TriCorners, std::size_t>> by_nodes;
         auto& triangles = result_.tets.triangles;
         for (const FaceId f : scope_.faces) {
-            const std::vector<std::size_t> corners = elements(triangle_type, model_.gmsh_tag(2, f.index()));
+            const std::vector<std::size_t> corners =
+                detail::elements(detail::triangle_type, model_.gmsh_tag(2, f.index()));
             for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
                 const TriCorners c{number(corners[i]), number(corners[i + 1]), number(corners[i + 2])};
                 by_nodes.emplace_back(sorted(c), triangles.size());
@@ -342,26 +322,27 @@ private:
     SolidsTets result_;
 };
 
+/// Calls visit(array) for each array.
+template <class Tets, class Visit>
+void for_arrays(Tets& made, Visit&& visit) {
+    visit(made.tets.mesh.nodes);
+    visit(made.tets.mesh.tets);
+    visit(made.tets.triangles);
+    visit(made.tets.edges);
+    visit(made.tets.vertices);
+    visit(made.tet_solid);
+}
+
 std::string to_bytes(const SolidsTets& made) {
     detail::ByteWriter writer;
-    writer.add(made.tets.mesh.nodes);
-    writer.add(made.tets.mesh.tets);
-    writer.add(made.tets.triangles);
-    writer.add(made.tets.edges);
-    writer.add(made.tets.vertices);
-    writer.add(made.tet_solid);
+    for_arrays(made, [&](const auto& array) { writer.add(array); });
     return writer.take();
 }
 
 SolidsTets from_bytes(const std::string& bytes) {
     detail::ByteReader reader(bytes);
     SolidsTets made;
-    reader.get(made.tets.mesh.nodes);
-    reader.get(made.tets.mesh.tets);
-    reader.get(made.tets.triangles);
-    reader.get(made.tets.edges);
-    reader.get(made.tets.vertices);
-    reader.get(made.tet_solid);
+    for_arrays(made, [&](auto& array) { reader.get(array); });
     return made;
 }
 

@@ -17,9 +17,6 @@
 #include <pavior/part/cad_deviation.hpp>
 #include <pavior/part/local_lengths.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -161,13 +158,6 @@ std::string counts_with_blocks(const SolidBlocks& solid, const MeshCheck& check)
     return solid.fine ? counts + "; " + counts_of(check) : counts;
 }
 
-/// More than edges that turn by the largest angle can cost (a ball: twice a disc) says that blocks pass over a part.
-bool lacks_a_part(const BlockCommand& command, const CadDeviation& deviation) {
-    const double angle = command.max_angle * std::numbers::pi / 180;
-    const double most = std::max(noteworthy_volume, 2.5 * (1 - std::sin(angle) / angle));
-    return command.size > 0.0 && std::abs(deviation.relative_volume().value_or(0.0)) > most;
-}
-
 MadeMesh checked(const BlockCommand& command, BlockReference& input, const SolidBlocks& solid, Json json) {
     MadeMesh made;
     made.data = block_mesh_data(solid, input.surface, input.cad ? "face " : "tag ");
@@ -180,7 +170,7 @@ MadeMesh checked(const BlockCommand& command, BlockReference& input, const Solid
     made.json = std::move(json);
     made.warnings = std::move(input.warnings);
     append(made.warnings, warnings_of(command, solid));
-    if (made.valid && lacks_a_part(command, *made.deviation)) {
+    if (made.valid && command.size > 0.0 && lacks_a_part(*made.deviation, command.max_angle)) {
         made.valid = false;
         made.faults = "its volume is " + digits(made.check.verify.volume) + ", that of the geometry " +
                       digits(*made.deviation->cad_volume) + ": the blocks pass over a part of it";

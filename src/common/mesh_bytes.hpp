@@ -13,12 +13,18 @@
 
 namespace pavior::detail {
 
+/// Calls visit(array) for each array of numbers.
+template <class Mesh, class Visit>
+void for_arrays(Mesh& data, Visit&& visit) {
+    visit(data.mesh.nodes);
+    visit(data.mesh.hexes);
+    visit(data.quads);
+    visit(data.hex_groups);
+    visit(data.quad_groups);
+}
+
 inline void add_mesh(ByteWriter& writer, const HexMeshData& data) {
-    writer.add(data.mesh.nodes);
-    writer.add(data.mesh.hexes);
-    writer.add(data.quads);
-    writer.add(data.hex_groups);
-    writer.add(data.quad_groups);
+    for_arrays(data, [&](const auto& array) { writer.add(array); });
     std::vector<std::array<std::int64_t, 3>> groups;  // dimension, number, length of the name
     std::string names;
     for (const MeshGroup& group : data.groups) {
@@ -31,11 +37,7 @@ inline void add_mesh(ByteWriter& writer, const HexMeshData& data) {
 
 [[nodiscard]] inline HexMeshData get_mesh(ByteReader& reader) {
     HexMeshData data;
-    reader.get(data.mesh.nodes);
-    reader.get(data.mesh.hexes);
-    reader.get(data.quads);
-    reader.get(data.hex_groups);
-    reader.get(data.quad_groups);
+    for_arrays(data, [&](auto& array) { reader.get(array); });
     std::vector<std::array<std::int64_t, 3>> groups;
     std::string names;
     reader.get(groups);

@@ -2,6 +2,7 @@
 
 #include <pavior/core/error.hpp>
 
+#include "../common/bare_message.hpp"
 #include "../common/child_process.hpp"
 
 #include <cmath>
@@ -23,12 +24,6 @@ double seconds_for(const std::string& file) {
     return error ? 10 : std::ceil(10 + 1e-5 * static_cast<double>(size));
 }
 
-/// Without "unreadable_file: FILE: ".
-std::string bare_message(const std::string& file, const std::string& what) {
-    const std::string prefix = FileError(file, "").what();
-    return what.rfind(prefix, 0) == 0 ? what.substr(prefix.size()) : what;
-}
-
 }  // namespace
 
 std::string read_apart(const std::string& file, const std::function<void(detail::ByteWriter&)>& read) {
@@ -47,7 +42,7 @@ std::string read_apart(const std::string& file, const std::function<void(detail:
             bytes += data_follows;
             return bytes;
         } catch (const FileError& error) {
-            return refused(bare_message(file, error.what()), error.ids());
+            return refused(detail::bare_message(file, error.what()), error.ids());
         } catch (const std::bad_alloc&) {
             return refused("asks for more memory than there is", {});
         }

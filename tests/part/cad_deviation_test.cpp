@@ -74,3 +74,17 @@ TEST_CASE("What is not known stays unknown: no time, no volumes, no faces") {
     CHECK(text_of(nothing).empty());
     CHECK_FALSE((nothing + late).cad_volume.has_value());
 }
+
+TEST_CASE("A mesh lacks a part where its volume is off by more than its angle a mesh edge can cost") {
+    CadDeviation deviation;
+    CHECK_FALSE(lacks_a_part(deviation, 30));  // nothing is known
+    deviation.cad_volume = 100;
+    for (const auto& [volume, lacks] : {std::pair(95.0, false), {91.0, false}, {73.0, true}, {127.0, true}}) {
+        deviation.volume = volume;
+        CHECK(lacks_a_part(deviation, 30) == lacks);
+    }
+    deviation.volume = 91;
+    CHECK(lacks_a_part(deviation, 10));
+    deviation.volume = 98.5;
+    CHECK_FALSE(lacks_a_part(deviation, 1));
+}

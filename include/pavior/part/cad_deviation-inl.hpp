@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <sstream>
 #include <utility>
 
@@ -108,6 +109,12 @@ PAVIOR_INLINE std::vector<std::string> warnings_of(const CadDeviation& deviation
         warnings.push_back(text.str());
     }
     return warnings;
+}
+
+PAVIOR_INLINE bool lacks_a_part(const CadDeviation& deviation, double max_angle) {
+    const double angle = max_angle * std::numbers::pi / 180;
+    const double most = std::max(noteworthy_volume, 2.5 * (1 - std::sin(angle) / angle));
+    return std::abs(deviation.relative_volume().value_or(0.0)) > most;
 }
 
 PAVIOR_INLINE std::string text_of(const CadDeviation& deviation) {

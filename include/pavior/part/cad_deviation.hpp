@@ -55,6 +55,11 @@ inline constexpr double noteworthy_distance = 0.25;
 /// A sentence for each noteworthy difference, and one if the distance is not known.
 [[nodiscard]] PAVIOR_INLINE std::vector<std::string> warnings_of(const CadDeviation& deviation);
 
+/// Whether the volumes differ by more than a fine mesh can cost whose edges turn by \p max_angle degrees (two and a
+/// half times what a disc loses, a ball loses twice that): it passes over a part of the solid. False where a volume is
+/// not known.
+[[nodiscard]] PAVIOR_INLINE bool lacks_a_part(const CadDeviation& deviation, double max_angle);
+
 /// "volume -0.12 % off the CAD, boundary within 0.034 sizes of it", as far as known; else empty.
 [[nodiscard]] PAVIOR_INLINE std::string text_of(const CadDeviation& deviation);
 
