@@ -1,7 +1,7 @@
 # Which room may include which; read by check_architecture.cmake, a test, and by draw_rooms.py, which draws them.
 # Rooms of headers stand above those that they use. Headers of the compiled rooms declare what pavior::<room> defines.
 set(rooms core math mesh affine smooth dual contributions marking block sweep intervals brep lattice one_to_one
-    many_to_many submap part tetra glpk imprint cad io)
+    many_to_many submap decompose part tetra glpk imprint cad io)
 set(compiled_rooms tetra glpk imprint cad io)
 set(compiled_headers part/mesh_file.hpp part/block_reference.hpp) # the same in a room that needs Eigen alone
 set(may_include_core "")
@@ -20,11 +20,13 @@ set(may_include_lattice core math mesh smooth sweep brep)
 set(may_include_one_to_one core math mesh sweep brep intervals lattice)
 set(may_include_many_to_many core math mesh smooth sweep brep intervals)
 set(may_include_submap core math mesh smooth sweep brep intervals lattice one_to_one)
-set(may_include_part core math mesh smooth dual marking block sweep brep intervals one_to_one many_to_many submap)
+set(may_include_decompose core math mesh brep intervals one_to_one many_to_many submap)
+set(may_include_part core math mesh smooth dual marking block sweep brep intervals one_to_one many_to_many submap
+    decompose)
 set(may_include_tetra core math mesh)
 set(may_include_glpk intervals)
 set(may_include_imprint core math mesh many_to_many)
-set(may_include_cad core math mesh brep one_to_one many_to_many)
+set(may_include_cad core math mesh brep one_to_one many_to_many decompose)
 set(may_include_io core math mesh sweep contributions)
 
 # Sources: src/<room> includes what the public room includes, that room, and these folders of src.

@@ -7,6 +7,7 @@
 #include <pavior/brep.hpp>
 #include <pavior/contributions.hpp>
 #include <pavior/core.hpp>
+#include <pavior/decompose.hpp>
 #include <pavior/dual.hpp>
 #include <pavior/intervals.hpp>
 #include <pavior/lattice.hpp>

@@ -1,5 +1,7 @@
 #include "file_tags.hpp"
 
+#include "entities_at.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -14,93 +16,6 @@
 namespace pavior::detail {
 
 namespace {
-
-/// The box of an entity of the current model.
-struct EntityBox {
-    Vec3 low, high;
-
-    EntityBox(int dim, int tag) {
-        gmsh::model::getBoundingBox(dim, tag, low[0], low[1], low[2], high[0], high[1], high[2]);
-    }
-    [[nodiscard]] bool holds(const Vec3& x, double slack) const {
-        return ((x.array() >= low.array() - slack) && (x.array() <= high.array() + slack)).all();
-    }
-    [[nodiscard]] bool near(const EntityBox& other, double slack) const {
-        return ((other.high.array() >= low.array() - slack) && (other.low.array() <= high.array() + slack)).all();
-    }
-};
-
-/// The entities of the file, found by a point that lies on them.
-class Original {
-public:
-    Original(const std::function<void()>& populate, double tolerance) : tolerance_(tolerance) {
-        const GmshModel::Current there(model_);
-        populate();
-        for (const int dim : {0, 1, 2}) {
-            gmsh::vectorpair list;
-            gmsh::model::getEntities(list, dim);
-            for (const auto& [d, tag] : list) {
-                boxes_[static_cast<std::size_t>(dim)].emplace(tag, EntityBox(dim, tag));
-            }
-        }
-    }
-
-    /// Ascending tags of those on which \p x lies.
-    [[nodiscard]] std::vector<int> at(int dim, const Vec3& x) const {
-        const GmshModel::Current there(model_);
-        std::vector<int> tags;
-        for (const auto& [tag, box] : boxes_[static_cast<std::size_t>(dim)]) {
-            if (box.holds(x, tolerance_) && on(dim, tag, x)) {
-                tags.push_back(tag);
-            }
-        }
-        return tags;
-    }
-
-    [[nodiscard]] int last(int dim) const {
-        const auto& boxes = boxes_[static_cast<std::size_t>(dim)];
-        return boxes.empty() ? 0 : boxes.rbegin()->first;
-    }
-
-private:
-    [[nodiscard]] bool on(int dim, int tag, const Vec3& x) const {
-        if (dim == 0) {
-            return (model_.vertex_point(tag) - x).norm() <= tolerance_;
-        }
-        if (dim == 1) {
-            return on_edge(tag, x);
-        }
-        Vec2 uv;
-        if (!model_.project_on_face(tag, x, uv)) {
-            return false;
-        }
-        std::array<Vec3, 1> there;
-        model_.face_points(tag, std::array{uv}, there);
-        return (there[0] - x).norm() <= tolerance_ && model_.inside_face(tag, uv);
-    }
-
-    /// By the parameter of the point: Gmsh's getClosestPoint() leaves that of an edge unset.
-    [[nodiscard]] bool on_edge(int tag, const Vec3& x) const {
-        std::vector<double> t;
-        try {
-            gmsh::model::getParametrization(1, tag, {x[0], x[1], x[2]}, t);
-        } catch (...) {
-            return false;
-        }
-        const auto range = model_.edge_range(tag);
-        const double slack = 1e-6 * (range[1] - range[0]);
-        if (t.size() != 1 || !(t[0] >= range[0] - slack && t[0] <= range[1] + slack)) {
-            return false;
-        }
-        std::array<Vec3, 1> there;
-        model_.edge_points(tag, t, there);
-        return (there[0] - x).norm() <= tolerance_;
-    }
-
-    GmshModel model_;
-    double tolerance_;
-    std::array<std::map<int, EntityBox>, 3> boxes_;
-};
 
 /// By tag of a piece, the solids of the file that it is a piece of; first the one that is nothing but this piece.
 std::map<int, std::vector<int>> solids_of_pieces(const SolidPieces& pieces) {
@@ -268,7 +183,12 @@ std::vector<SolidGap> gaps_of(const GmshModel& model, const Topology& topology,
 std::array<std::vector<std::vector<int>>, 4> file_tags(const GmshModel& model, const Topology& topology,
                                                        const SolidPieces& pieces, const std::function<void()>& populate,
                                                        double tolerance) {
-    const Original original(populate, tolerance);
+    const GmshModel file;
+    {
+        const GmshModel::Current there(file);
+        populate();
+    }
+    const EntitiesAt original(file, tolerance);
     const GmshModel::Current current(model);
     std::array<std::vector<std::vector<int>>, 4> tags;
     for (const Vec3& x : topology.vertices) {

@@ -3,52 +3,12 @@
 #include "gmsh_import.hpp"
 #include "gmsh_topology.hpp"
 #include "model_bytes.hpp"
+#include "saved_model.hpp"
 #include "scratch_folder.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pavior {
-
-namespace {
-
-bool same_face(const detail::FaceData& a, const detail::FaceData& b) {
-    const double same = 1e-6 * (a.bounds[1] - a.bounds[0]).norm();
-    return a.tag == b.tag && a.kind == b.kind && a.loops == b.loops && a.chains.size() == b.chains.size() &&
-           std::abs(a.area - b.area) <= 1e-6 * a.area && (a.bounds[0] - b.bounds[0]).norm() <= same &&
-           (a.bounds[1] - b.bounds[1]).norm() <= same;
-}
-
-/// Whether two models are the same, tags included.
-bool same_topology(const detail::Topology& a, const detail::Topology& b) {
-    const double same = 1e-9 * a.diagonal;
-    const auto same_vertex = [&](const Vec3& x, const Vec3& y) { return (x - y).norm() <= same; };
-    const auto same_edge = [&](const detail::EdgeData& x, const detail::EdgeData& y) {
-        return x.tag == y.tag && x.vertices == y.vertices && std::abs(x.length - y.length) <= 1e-6 * x.length;
-    };
-    const auto same_solid = [](const detail::SolidData& x, const detail::SolidData& y) {
-        return x.tag == y.tag && x.faces == y.faces;
-    };
-    const auto equal = [](const auto& x, const auto& y, const auto& test) {
-        return std::equal(x.begin(), x.end(), y.begin(), y.end(), test);
-    };
-    return a.vertex_tags == b.vertex_tags && equal(a.vertices, b.vertices, same_vertex) &&
-           equal(a.edges, b.edges, same_edge) &&
-           equal(a.faces, b.faces, [](const auto& x, const auto& y) { return same_face(x, y); }) &&
-           equal(a.solids, b.solids, same_solid);
-}
-
-/// Writes the current model to a file of OpenCASCADE's own, which keeps what solids share, and reads it back. False if
-/// what comes back is not the same.
-bool save_model(const std::filesystem::path& file, const detail::Topology& topology) {
-    gmsh::write(file.string());
-    const detail::GmshModel copy;
-    const detail::GmshModel::Current current(copy);
-    detail::import_file(file);
-    return same_topology(topology, detail::read_topology(copy));
-}
-
-}  // namespace
 
 struct GmshBrep::Data {
     detail::GmshModel model;
@@ -109,7 +69,7 @@ struct GmshBrep::Data {
         }
         try {
             const detail::GmshModel::Current current(model);
-            return save_model(file, topology) ? detail::imprint_to_bytes(topology, report) : std::string();
+            return detail::save_model(file, topology) ? detail::imprint_to_bytes(topology, report) : std::string();
         } catch (...) {  // no place for the file, or a model that it does not keep
             return {};
         }
@@ -130,6 +90,10 @@ GmshBrep::GmshBrep(std::unique_ptr<Data> data) : data_(std::move(data)) {}
 GmshBrep::GmshBrep(GmshBrep&&) noexcept = default;
 GmshBrep& GmshBrep::operator=(GmshBrep&&) noexcept = default;
 GmshBrep::~GmshBrep() = default;
+
+void GmshBrep::set_tags(std::array<std::vector<std::vector<int>>, 4> tags) {
+    data_->topology.file_tags = std::move(tags);
+}
 
 const detail::GmshModel& GmshBrep::gmsh_model() const { return data_->model; }
 const detail::Topology& GmshBrep::topology() const { return data_->topology; }

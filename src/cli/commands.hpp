@@ -62,7 +62,8 @@ struct BlockCommand : MakeCommand {
 /// Options of `pavior mesh`.
 struct MeshCommand : SolidsCommand {
     std::optional<PartMethod> method;  ///< unset: each in turn
-    bool last_resort = true;
+    bool last_resort = true, decompose = true;
+    std::string save_pieces;
     bool explain = false;
 };
 

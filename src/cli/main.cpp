@@ -202,13 +202,18 @@ void add_mesh(CLI::App& app, MeshCommand& command) {
         {"auto", std::nullopt},       {"submap", PartMethod::submap},
         {"sweep", PartMethod::sweep}, {"multi-sweep", PartMethod::multi_sweep},
         {"mixed", PartMethod::mixed}, {"block", PartMethod::block},
-        {"split", PartMethod::split}};
+        {"split", PartMethod::split}, {"decompose", PartMethod::decompose}};
     add_choice(
         app, "--method", command.method, methods,
         "auto (default): submapping, one-to-one sweep, many-to-many sweep, mixed (touching solids each by "
         "its own method), blocks, until one gives a valid mesh with scaled Jacobians of 0.2 or more, else the best "
         "of them; the last resort, where that is below 0.2 or none: tetrahedra, each split in four (split)");
     app.add_flag("!--no-split", command.last_resort, "no last resort: refuse what no other method meshes");
+    add_choice(app, "--decompose", command.decompose, {{"on", true}, {"off", false}},
+               "cut solids into pieces that the first four methods mesh together, where they fail on the whole (on, "
+               "default); off: do not");
+    app.add_option("--save-pieces", command.save_pieces,
+                   "write the pieces that a mesh by cuts was made of (.brep); nothing where no solid was cut");
     app.add_flag("--explain", command.explain, "print what was tried, and why it was taken or refused, as a tree");
 }
 

@@ -125,6 +125,7 @@ Json report_of(const MeshCommand& command, const GmshBrep& model, const PartMesh
     json["options"] = {{"size", command.size > 0 ? command.size : model.diagonal() / 12},
                        {"method", command.method ? Json(to_string(*command.method)) : Json("auto")},
                        {"last_resort", !command.method && command.last_resort},
+                       {"decompose", !command.method && command.decompose},
                        {"max_angle", command.max_angle},
                        {"imprint_tolerance", command.imprint_tolerance},
                        {"timeout", command.timeout ? Json(*command.timeout) : Json()},
@@ -217,6 +218,7 @@ ExitCode run_mesh(const MeshCommand& command, Guard& guard) {
     options.execution = Execution{command.threads, guard.stop()};
     options.progress = bar.sink();
     options.last_resort = command.last_resort;
+    options.decompose = command.decompose;
     if (command.method) {
         options.methods = {*command.method};
     }

@@ -3,12 +3,19 @@
 #include "../report/report_json.hpp"
 
 #include <pavior/cad/cap_mesh.hpp>
+#include <pavior/cad/cut_model.hpp>
 #include <pavior/cad/region_quads.hpp>
 #include <pavior/cad/tetrahedra.hpp>
 #include <pavior/glpk/solve_program.hpp>
 #include <pavior/imprint/imprint.hpp>
 #include <pavior/part/any_model.hpp>
 #include <pavior/part/block_model.hpp>
+#include <pavior/part/decompose_solids.hpp>
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
 
 namespace pavior::detail {
 
@@ -30,6 +37,34 @@ nlohmann::json described(const AnyModel& model, const Report& report) {
     return to_json(model, report);
 }
 
+/// GmshCutter, made at the first cut, behind one type.
+class AnyCutter {
+public:
+    explicit AnyCutter(const GmshBrep& model) : model_(&model) {}
+
+    std::optional<ModelPieces> operator()(std::span<const SolidCut> cuts) {
+        if (!cutter_) {
+            cutter_ = std::make_shared<const GmshCutter>(*model_);
+        }
+        std::optional<GmshPieces> made = (*cutter_)(cuts);
+        if (!made) {
+            return std::nullopt;
+        }
+        struct Kept {
+            GmshPieces pieces;
+            AnyModel any;
+        };
+        const GmshBrep& brep = *made->model;
+        const auto kept = std::make_shared<Kept>(Kept{std::move(*made), AnyModel(brep)});
+        return ModelPieces{std::shared_ptr<const AnyModel>(kept, &kept->any), kept->pieces.solid, GmshCapMesher{&brep},
+                           [cutter = cutter_, kept] { return cutter->identify(kept->pieces); }};
+    }
+
+private:
+    const GmshBrep* model_;
+    std::shared_ptr<const GmshCutter> cutter_;
+};
+
 }  // namespace
 
 void describe(std::string& text, const AnyModel& model, const MethodReport& report) {
@@ -49,6 +84,7 @@ Kernels gmsh_kernels(const GmshBrep& model) {
         [&model](std::span<const SolidId> solids, const TetSizes& sizes) {
             return tetrahedra_of(model, solids, sizes);
         },
+        AnyCutter{model},
         {GmshReferenceMesher{&model, 1, 16}, GmshReferenceMesher{&model, 1, 20}, GmshReferenceMesher{&model, 1, 12}}};
 }
 

@@ -1,11 +1,13 @@
 #include "try_bytes.hpp"
 
 #include "../common/mesh_bytes.hpp"
+#include "../report/report_json.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace pavior::detail {
 
@@ -29,9 +31,40 @@ CadDeviation deviation_of(const Json& json) {
             json[4].get<double>()};
 }
 
+Vec3 point_of(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
+
+CutSurface surface_of(const Json& json) {
+    const std::string kind = json["kind"];
+    if (kind == "plane") {
+        return CutPlane{point_of(json["point"]), point_of(json["normal"])};
+    }
+    if (kind == "half-plane") {
+        return CutHalfPlane{point_of(json["point"]), point_of(json["along"]), point_of(json["into"])};
+    }
+    return CutCylinder{point_of(json["point"]), point_of(json["direction"]), json["radius"].get<double>(),
+                       point_of(json["seam"])};
+}
+
+SolidCut cut_of(const Json& json) {
+    SolidCut cut{{json["solid"].get<std::int32_t>()}, {}, CutReason::step};
+    for (const CutReason reason :
+         {CutReason::blend_foot, CutReason::concave_edge, CutReason::junction, CutReason::axis_plane,
+          CutReason::round_hole, CutReason::slab, CutReason::step, CutReason::between}) {
+        cut.reason = json["reason"] == to_string(reason) ? reason : cut.reason;
+    }
+    for (const Json& surface : json["surfaces"]) {
+        cut.surfaces.push_back(surface_of(surface));
+    }
+    return cut;
+}
+
 }  // namespace
 
 std::string to_bytes(const MethodTry& result) {
+    Json cuts = Json::array();
+    for (const SolidCut& cut : result.cuts) {
+        cuts.push_back(to_json(cut));
+    }
     const Json json{{"method", static_cast<int>(result.method)},
                     {"outcome", static_cast<int>(result.outcome)},
                     {"reason", result.reason},
@@ -42,6 +75,7 @@ std::string to_bytes(const MethodTry& result) {
                     {"warnings", result.warnings},
                     {"notes", result.notes},
                     {"report", result.report},
+                    {"cuts", cuts},
                     {"deviation", to_json_numbers(result.deviation)}};
     ByteWriter writer;
     writer.add(Json::to_cbor(json));
@@ -67,6 +101,9 @@ MethodTry try_from_bytes(const std::string& bytes) {
     result.warnings = json["warnings"].get<std::vector<std::string>>();
     result.notes = json["notes"].get<std::vector<std::string>>();
     result.report = json["report"];
+    for (const Json& cut : json["cuts"]) {
+        result.cuts.push_back(cut_of(cut));
+    }
     result.deviation = deviation_of(json["deviation"]);
     result.data = get_mesh(reader);
     reader.get(result.hex_solid);

@@ -2,6 +2,7 @@
 
 #include <pavior/many_to_many/multi_sweep_model.hpp>
 #include <pavior/part/any_model.hpp>
+#include <pavior/part/decompose_solids.hpp>
 #include <pavior/part/mixed_solids.hpp>
 #include <pavior/part/split_solids.hpp>
 #include <pavior/part/sweep_solids.hpp>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace pavior::detail {
@@ -118,6 +120,54 @@ Json to_json(const AnyModel& /*model*/, const SplitSolids& mesh) {
                                     {"scaled_jacobian", made ? Json(attempt.min_jacobian) : Json()},
                                     {"nodes_off", attempt.off},
                                     {"error", attempt.error}});
+    }
+    return json;
+}
+
+namespace {
+
+Json array_of(const Vec3& x) { return {x[0], x[1], x[2]}; }
+
+struct SurfaceJson {
+    Json operator()(const CutPlane& s) const {
+        return {{"kind", "plane"}, {"point", array_of(s.point)}, {"normal", array_of(s.normal)}};
+    }
+    Json operator()(const CutHalfPlane& s) const {
+        return {{"kind", "half-plane"},
+                {"point", array_of(s.point)},
+                {"along", array_of(s.along)},
+                {"into", array_of(s.into)}};
+    }
+    Json operator()(const CutCylinder& s) const {
+        return {{"kind", "cylinder"},
+                {"point", array_of(s.point)},
+                {"direction", array_of(s.direction)},
+                {"radius", s.radius},
+                {"seam", array_of(s.seam)}};
+    }
+};
+
+}  // namespace
+
+Json to_json(const SolidCut& cut) {
+    Json json{{"solid", cut.solid.value}, {"reason", to_string(cut.reason)}, {"surfaces", Json::array()}};
+    for (const CutSurface& surface : cut.surfaces) {
+        json["surfaces"].push_back(std::visit(SurfaceJson{}, surface));
+    }
+    return json;
+}
+
+Json to_json(const AnyModel& /*model*/, const DecomposedSolids& mesh) {
+    Json json{{"cuts", Json::array()},
+              {"cuts_tried", mesh.search.tried},
+              {"meshes_tried", mesh.search.meshed},
+              {"pieces", Json::array()}};
+    for (const SolidCut& cut : mesh.search.cuts) {
+        json["cuts"].push_back(to_json(cut));
+    }
+    for (const PieceMethods& piece : mesh.methods) {
+        json["pieces"].push_back(
+            {{"submap", piece.submap}, {"sweep", piece.sweep}, {"multi_sweep", piece.multi_sweep}});
     }
     return json;
 }

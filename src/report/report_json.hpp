@@ -25,6 +25,8 @@ struct SubmappedMesh;
 struct BestMultiSweep;
 struct MixedSolids;
 struct SplitSolids;
+struct DecomposedSolids;
+struct SolidCut;
 struct CadDeviation;
 class AnyModel;
 
@@ -42,6 +44,9 @@ namespace detail {
 [[nodiscard]] nlohmann::json to_json(const AnyModel& model, const BestMultiSweep& best);
 [[nodiscard]] nlohmann::json to_json(const AnyModel& model, const MixedSolids& mesh);
 [[nodiscard]] nlohmann::json to_json(const AnyModel& model, const SplitSolids& mesh);
+[[nodiscard]] nlohmann::json to_json(const AnyModel& model, const DecomposedSolids& mesh);
+/// The solid's position among the solids that the cuts before left, the reason, and the surfaces.
+[[nodiscard]] nlohmann::json to_json(const SolidCut& cut);
 
 /// Volumes, distance, and both in parts of what they are measured by; null where unknown.
 [[nodiscard]] nlohmann::json to_json(const CadDeviation& deviation);

@@ -140,8 +140,10 @@ public:
     [[nodiscard]] const detail::Topology& topology() const;
 
 private:
+    friend class GmshCutter;
     struct Data;
     explicit GmshBrep(std::unique_ptr<Data> data);
+    void set_tags(std::array<std::vector<std::vector<int>>, 4> tags);
     std::unique_ptr<Data> data_;
 };
 

@@ -39,8 +39,11 @@ inline void take_better(PartDecision& decision, double least) {
 [[nodiscard]] inline std::vector<PartMethod> methods_for(std::size_t solids, const PartOptions& options) {
     std::vector<PartMethod> methods = options.methods;
     if (methods.empty()) {
-        methods = {PartMethod::submap, PartMethod::sweep, PartMethod::multi_sweep, PartMethod::mixed,
-                   PartMethod::block};
+        methods = {PartMethod::submap, PartMethod::sweep, PartMethod::multi_sweep, PartMethod::mixed};
+        if (options.decompose) {
+            methods.push_back(PartMethod::decompose);
+        }
+        methods.push_back(PartMethod::block);
         if (options.last_resort) {
             methods.push_back(PartMethod::split);
         }

@@ -3,6 +3,7 @@
 /// What mesh_part() needs besides the model: the machines of others, in one bundle.
 
 #include <pavior/brep/solids_tets.hpp>
+#include <pavior/decompose/solid_cut.hpp>
 #include <pavior/dual/features.hpp>
 #include <pavior/dual/reference_mesh.hpp>
 #include <pavior/intervals/integer_program.hpp>
@@ -12,10 +13,12 @@
 #include <pavior/mesh/mesh_check.hpp>
 #include <pavior/mesh/tagged_mesh.hpp>
 #include <pavior/one_to_one/cap_boundary.hpp>
+#include <pavior/part/any_model.hpp>
 #include <pavior/part/cad_deviation.hpp>
 
 #include <concepts>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,13 +27,13 @@
 
 namespace pavior {
 
-class AnyModel;
 struct SubmappedMesh;
 struct SweptSolids;
 struct BestMultiSweep;
 struct MixedSolids;
 struct BlockedModel;
 struct SplitSolids;
+struct DecomposedSolids;
 struct SmoothReport;
 
 /// Tetrahedra to block, and the surface that they fill.
@@ -60,7 +63,8 @@ struct JudgedMesh {
 
 /// What a method says of its own work, and what follows on it; none is null.
 using MethodReport = std::variant<const SubmappedMesh*, const SweptSolids*, const BestMultiSweep*, const MixedSolids*,
-                                  const BlockedModel*, const SplitSolids*, const SmoothReport*, const JudgedMesh*>;
+                                  const BlockedModel*, const SplitSolids*, const DecomposedSolids*, const SmoothReport*,
+                                  const JudgedMesh*>;
 
 /// Any reference_mesher that can be copied, behind one type; std::ref() of one that cannot.
 using ReferenceMesher = std::function<BlockReference(SolidId solid, double size, const FeatureOptions& features)>;
@@ -74,6 +78,19 @@ concept tet_mesher = requires(M& make, std::span<const SolidId> solids, const Te
 /// Any tet_mesher that can be copied, behind one type; std::ref() of one that cannot.
 using TetMesher = std::function<SolidsTets(std::span<const SolidId> solids, const TetSizes& sizes)>;
 
+/// What cuts left of the solids of a model; solid_pieces.
+struct ModelPieces {
+    std::shared_ptr<const AnyModel> model;
+    std::vector<SolidId> solid;
+    CapMesher caps;  ///< quads of faces of the pieces
+    /// Finds, by face of the pieces, the face that it is a piece of, not valid for one that was cut, and gives solids,
+    /// faces and edges of the pieces the tags of what they are pieces of. Called before they are meshed.
+    std::function<std::vector<FaceId>()> identify;
+};
+
+/// Any solid_cutter that can be copied, behind one type; std::ref() of one that cannot.
+using SolidCutter = std::function<std::optional<ModelPieces>(std::span<const SolidCut> cuts)>;
+
 /// The callables that mesh a model: pavior::part has them for CAD files. All are called one at a time. A method that
 /// needs one that is empty ends as TryOutcome::died.
 struct Kernels {
@@ -84,7 +101,8 @@ struct Kernels {
     ReferenceMesher reference;  ///< tetrahedra of a solid
     /// May add what it makes of a method's own reports to MethodTry::report; may be empty.
     std::function<void(std::string& text, const AnyModel& model, const MethodReport& report)> describe = {};
-    TetMesher tets = {};  ///< sized tetrahedra of solids; empty: there is no last resort
+    TetMesher tets = {};   ///< sized tetrahedra of solids; empty: there is no last resort
+    SolidCutter cut = {};  ///< of the model; empty: nothing is cut
     /// Other tetrahedra of a solid with curved faces, taken one after the other where blocks in those before are none
     /// or poor: where sheets run depends on the tetrahedra. May be empty.
     std::vector<ReferenceMesher> other_references = {};

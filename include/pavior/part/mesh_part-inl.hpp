@@ -42,7 +42,7 @@ PAVIOR_INLINE PartMesh mesh_groups(const AnyModel& b, const PartOptions& given, 
     require_expected_at_most(expected_hexahedra(b, solids, options.size, options.local.solid), options.max_hexahedra,
                              options.size);
     std::size_t left = solids.size();
-    const auto most = static_cast<double>(std::max<std::size_t>(options.methods.size(), 6));
+    const auto most = static_cast<double>(std::max<std::size_t>(options.methods.size(), 7));
     const std::vector<std::vector<SolidId>> groups = touching_solids(b, std::span<const SolidId>(solids));
     for (const std::vector<SolidId>& group : groups) {
         const double first = static_cast<double>(result.decisions.size()) / static_cast<double>(groups.size());
@@ -87,6 +87,7 @@ PAVIOR_INLINE PartMesh mesh_groups(const AnyModel& b, const PartOptions& given, 
 PAVIOR_INLINE PartMesh mesh_part(const AnyModel& model, const PartOptions& options, const Kernels& kernels) {
     PartOptions possible = options;
     possible.last_resort = options.last_resort && kernels.tets != nullptr;
+    possible.decompose = options.decompose && kernels.cut != nullptr;
     return detail::mesh_groups(
         model, possible,
         [&](PartMethod method, std::span<const SolidId> solids, const PartOptions& own, double seconds) {

@@ -5,6 +5,7 @@
 #include <pavior/brep/brep.hpp>
 #include <pavior/brep/node_entities.hpp>
 #include <pavior/core/compiled.hpp>
+#include <pavior/decompose/solid_cut.hpp>
 #include <pavior/mesh/grouped_mesh.hpp>
 #include <pavior/mesh/mesh_check.hpp>
 #include <pavior/part/cad_deviation.hpp>
@@ -58,6 +59,7 @@ struct MethodTry {
     double min_jacobian = -1;                  ///< least scaled Jacobian
     CadDeviation deviation;                    ///< of the mesh from the solids
     std::vector<std::string> warnings, notes;  ///< notes: how it was done, a line or more each
+    std::vector<SolidCut> cuts;                ///< through the solids of the model, before they were meshed
     std::string report;                        ///< what Kernels::describe made of the method's own reports
 
     [[nodiscard]] bool has_mesh() const { return outcome == TryOutcome::mesh || outcome == TryOutcome::invalid; }

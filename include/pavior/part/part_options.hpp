@@ -13,11 +13,11 @@
 
 namespace pavior {
 
-/// How solids that touch become hexahedra. mixed: each by its own of the first three. split: the last resort,
-/// tetrahedra split in four each.
-enum class PartMethod : std::uint8_t { submap, sweep, multi_sweep, mixed, block, split };
+/// How solids that touch become hexahedra. mixed: each by its own of the first three. decompose: cut into pieces that
+/// these mesh together. split: the last resort, tetrahedra split in four each.
+enum class PartMethod : std::uint8_t { submap, sweep, multi_sweep, mixed, block, split, decompose };
 
-/// The stable name of \p method: "submap", "sweep", "multi-sweep", "mixed", "block", "split".
+/// The stable name of \p method: "submap", "sweep", "multi-sweep", "mixed", "block", "split", "decompose".
 [[nodiscard]] constexpr std::string_view to_string(PartMethod method) noexcept {
     switch (method) {
         case PartMethod::submap: return "submap";
@@ -26,6 +26,7 @@ enum class PartMethod : std::uint8_t { submap, sweep, multi_sweep, mixed, block,
         case PartMethod::mixed: return "mixed";
         case PartMethod::block: return "block";
         case PartMethod::split: return "split";
+        case PartMethod::decompose: return "decompose";
     }
     return "unknown";
 }
@@ -58,6 +59,8 @@ struct PartOptions {
     double max_hexahedra = 0;  ///< refused where more are to be expected by volume and size; 0: no limit
     /// Tried in this order; empty: all but split, in the order of PartMethod, then the last resort.
     std::vector<PartMethod> methods = {};
+    /// With `methods` empty, cut solids into pieces that the first four methods mesh together.
+    bool decompose = true;
     /// With `methods` empty, split what no method meshes validly: a mesh for every closed solid, of more and of poorer
     /// hexahedra; and what none meshes with `sufficient`, if that helps. A fifth of the time is kept for it.
     bool last_resort = true;

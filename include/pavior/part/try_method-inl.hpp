@@ -6,6 +6,7 @@
 #include <pavior/core/stop.hpp>
 #include <pavior/core/stopwatch.hpp>
 #include <pavior/part/block_model.hpp>
+#include <pavior/part/decompose_solids.hpp>
 #include <pavior/part/detail/part_text.hpp>
 #include <pavior/part/detail/trial.hpp>
 #include <pavior/part/entity_groups.hpp>
@@ -124,6 +125,8 @@ inline void judge(Trial& trial, const std::function<bool()>& out_of_time) {
     trial.describe(&judged);
 }
 
+inline void try_decompose(Trial& trial);
+
 [[nodiscard]] inline MethodTry try_once(PartMethod method, const AnyModel& model, std::span<const SolidId> solids,
                                         const PartOptions& options, const Kernels& kernels, const TryTimes& times) {
     MethodTry result;
@@ -138,6 +141,7 @@ inline void judge(Trial& trial, const std::function<bool()>& out_of_time) {
             case PartMethod::mixed: try_mixed(trial); break;
             case PartMethod::block: try_block(trial); break;
             case PartMethod::split: try_split(trial); break;
+            case PartMethod::decompose: try_decompose(trial); break;
         }
         if (method != PartMethod::split && !times.out_of_time()) {  // which has done its own, and more
             improve(trial);
@@ -159,6 +163,40 @@ inline void judge(Trial& trial, const std::function<bool()>& out_of_time) {
     }
     result.seconds = watch.total();
     return result;
+}
+
+inline void try_decompose(Trial& trial) {
+    if (!trial.kernels.cut) {
+        throw Error(ErrorCode::cad_failure, "there is nothing to cut solids with");
+    }
+    Kernels own_kernels = trial.kernels;
+    own_kernels.describe = nullptr;
+    const PieceMesher mesh = [&](PartMethod method, const ModelPieces& pieces, std::span<const SolidId> solids) {
+        own_kernels.caps = pieces.caps;
+        TryTimes times;
+        times.out_of_time = trial.out_of_time;
+        times.no_time_to_check = [] { return true; };  // the whole is checked
+        return try_once(method, *pieces.model, solids, trial.options, own_kernels, times);
+    };
+    CutSearchOptions own;
+    own.sufficient = trial.options.sufficient;
+    own.stop = trial.options.execution.stop;
+    DecomposedSolids found = decompose_solids(trial.model, trial.solids, trial.kernels.cut, trial.kernels.solver, mesh,
+                                              trial.out_of_time, own);
+    trial.describe(&found);
+    MethodTry& result = trial.result;
+    if (found.mesh.outcome != TryOutcome::mesh) {
+        throw not_decomposed(found.search);
+    }
+    result.cuts = std::move(found.search.cuts);
+    for (const SolidCut& cut : result.cuts) {
+        result.notes.push_back("cut at a " + text_of(cut));
+    }
+    result.notes.push_back(std::to_string(found.methods.size()) + " pieces, by " +
+                           std::string(to_string(found.mesh.method)));
+    result.data = std::move(found.mesh.data);
+    result.hex_solid = std::move(found.mesh.hex_solid);
+    result.quad_face = std::move(found.mesh.quad_face);
 }
 
 /// Asks for a stop when the time of a try is over or the caller asks for one.

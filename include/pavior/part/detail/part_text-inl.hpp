@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <variant>
 
 namespace pavior {
 
@@ -47,6 +48,39 @@ PAVIOR_INLINE std::string note_of(const MultiSweepAttempt& attempt, const std::v
         text << attempt.quality << ", boundary nodes within " << attempt.face_distance << " of their faces";
     }
     return text.str();
+}
+
+struct SurfaceText {
+    std::string operator()(const CutPlane& s) const {
+        return "plane through " + text_of(s.point) + " normal to " + text_of(s.normal);
+    }
+    std::string operator()(const CutHalfPlane& s) const {
+        return "half-plane from the line through " + text_of(s.point) + " along " + text_of(s.along) + " towards " +
+               text_of(s.into);
+    }
+    std::string operator()(const CutCylinder& s) const {
+        std::ostringstream radius;
+        radius << s.radius;
+        return "cylinder of radius " + radius.str() + " round the axis through " + text_of(s.point) + " along " +
+               text_of(s.direction);
+    }
+};
+
+PAVIOR_INLINE std::string text_of(const CutSurface& surface) { return std::visit(SurfaceText{}, surface); }
+
+PAVIOR_INLINE std::string text_of(const SolidCut& cut) {
+    std::string text(to_string(cut.reason));
+    for (std::size_t i = 0; i < cut.surfaces.size(); ++i) {
+        text += (i == 0 ? ": " : ", ") + text_of(cut.surfaces[i]);
+    }
+    return text;
+}
+
+PAVIOR_INLINE UnmeshableError not_decomposed(const CutSearch& search) {
+    std::ostringstream text;
+    text << "no cuts were found after which all pieces can be meshed together: " << search.tried << " were tried, "
+         << search.meshed << " times all pieces were of a kind that a method takes";
+    return {ErrorCode::not_sweepable, text.str()};
 }
 
 PAVIOR_INLINE void require_blocks(const SolidBlocks& blocks) {

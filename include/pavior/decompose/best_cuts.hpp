@@ -1,0 +1,236 @@
+#pragma once
+/// \file
+/// The search for cuts after which methods mesh all pieces of some solids.
+
+#include <pavior/core/stop.hpp>
+#include <pavior/decompose/cut_candidates.hpp>
+#include <pavior/decompose/cut_search.hpp>
+#include <pavior/decompose/recognise_piece.hpp>
+#include <pavior/decompose/solid_cut.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+namespace pavior {
+
+/// What came of meshing pieces.
+struct PiecesVerdict {
+    double quality = -1;  ///< least scaled Jacobian of a valid mesh; below 0: there is none
+    SolidId guilty;       ///< the piece with the worst hexahedron, or that was refused; not valid if not known
+};
+
+namespace detail {
+
+/// The model after some cuts.
+template <solid_pieces P>
+struct CutState {
+    std::vector<SolidCut> cuts;
+    P pieces;
+    std::vector<PieceMethods> methods;  ///< by position in `solids`
+    std::vector<SolidId> solids;        ///< pieces of the solids asked for
+    double cost = 0;
+    std::size_t order = 0;  ///< in which it was found
+    SolidId next;           ///< the piece to cut
+    bool meshed = false;    ///< was tried
+
+    [[nodiscard]] bool complete() const {
+        return std::all_of(methods.begin(), methods.end(), [](const PieceMethods& m) { return m.any(); });
+    }
+};
+
+template <solid_pieces P, class Cutter, class Solver, class Verdict, class OutOfTime>
+class CutSearcher {
+public:
+    using State = CutState<P>;
+
+    CutSearcher(std::span<const SolidId> solids, Cutter& cutter, Solver& solver, Verdict& verdict,
+                OutOfTime& out_of_time, const CutSearchOptions& options)
+        : wanted_(solids.begin(), solids.end()),
+          cutter_(cutter),
+          solver_(solver),
+          verdict_(verdict),
+          out_of_time_(out_of_time),
+          options_(options) {}
+
+    [[nodiscard]] CutSearch run() {
+        std::optional<State> root = state({});
+        if (!root) {
+            return {};
+        }
+        root->next = worst_piece(*root);
+        open_.push_back(std::move(*root));
+        while (!open_.empty() && !done()) {
+            const auto best = std::min_element(open_.begin(), open_.end(), [](const State& x, const State& y) {
+                return std::pair(x.cost, x.order) < std::pair(y.cost, y.order);
+            });
+            State at = std::move(*best);
+            open_.erase(best);
+            if (!at.cuts.empty() && at.complete() && !at.meshed) {
+                mesh(at);
+            }
+            if (!done()) {
+                expand(at);
+            }
+        }
+        return std::move(result_);
+    }
+
+private:
+    [[nodiscard]] bool done() const {
+        return result_.quality >= options_.sufficient || result_.tried >= options_.max_cuts ||
+               result_.meshed >= options_.max_meshes || out_of_time_();
+    }
+
+    void mesh(State& at) {
+        check_stop(options_.stop);
+        const PiecesVerdict verdict =
+            verdict_(at.pieces, std::span<const SolidId>(at.solids), std::span<const PieceMethods>(at.methods));
+        ++result_.meshed;
+        if (verdict.quality > result_.quality) {
+            result_.quality = verdict.quality;
+            result_.cuts = at.cuts;
+        }
+        if (verdict.guilty.valid()) {
+            at.next = verdict.guilty;
+        }
+    }
+
+    /// Tries all cuts of one piece.
+    void expand(const State& at) {
+        if (at.solids.size() >= options_.max_pieces * wanted_.size()) {
+            return;
+        }
+        for (const CutCandidate& candidate : cut_candidates(*at.pieces.model, at.next)) {
+            check_stop(options_.stop);
+            if (done()) {
+                return;
+            }
+            std::vector<SolidCut> cuts = at.cuts;
+            cuts.push_back({at.next, candidate.surfaces, candidate.reason});
+            std::optional<State> next = state(std::move(cuts));
+            if (!next || next->cost >= at.cost + 0.5) {
+                continue;
+            }
+            next->next = worst_piece(*next);
+            if (next->cost < (options_.costs.piece + 1e-9) * static_cast<double>(next->solids.size())) {
+                mesh(*next);  // nothing better can follow
+                next->meshed = true;
+            }
+            open_.push_back(std::move(*next));
+        }
+    }
+
+    [[nodiscard]] std::optional<State> state(std::vector<SolidCut> cuts) {
+        ++result_.tried;
+        std::optional<P> pieces = cutter_(std::span<const SolidCut>(cuts));
+        if (!pieces) {
+            return std::nullopt;
+        }
+        State result;
+        result.cuts = std::move(cuts);
+        result.pieces = std::move(*pieces);
+        result.order = result_.tried;
+        for (std::size_t s = 0; s < result.pieces.solid.size(); ++s) {
+            if (std::find(wanted_.begin(), wanted_.end(), result.pieces.solid[s]) != wanted_.end()) {
+                const SolidId solid{static_cast<std::int32_t>(s)};
+                result.solids.push_back(solid);
+                result.methods.push_back(methods_of(*result.pieces.model, solid));
+                result.cost += cost(result.methods.back(), options_.costs);
+            }
+        }
+        return result;
+    }
+
+    /// Sums over the boundary of a piece, in units of 1e-7 of its extent or so: what is not cut keeps them.
+    template <brep M>
+    [[nodiscard]] static std::vector<long long> signature(const M& b, SolidId solid) {
+        std::set<EdgeId> edges;
+        for (const OrientedFace& f : b.solid_faces(solid)) {
+            for (const EdgeLoop& loop : b.face_loops(f.face)) {
+                for (const OrientedEdge& use : loop) {
+                    edges.insert(use.edge);
+                }
+            }
+        }
+        double length = 0;
+        Vec3 first = Vec3::Zero();
+        Vec3 second = Vec3::Zero();
+        for (const EdgeId e : edges) {
+            const auto range = b.edge_range(e);
+            const Vec3 middle = b.edge_point(e, 0.5 * (range[0] + range[1]));
+            const Vec3 ends = b.edge_point(e, range[0]) + b.edge_point(e, range[1]);
+            length += b.edge_length(e);
+            first += middle + ends;
+            second += middle.cwiseAbs2() + ends.cwiseAbs2();
+        }
+        std::vector<long long> key{static_cast<long long>(b.solid_faces(solid).size()),
+                                   static_cast<long long>(edges.size())};
+        const auto add = [&](double x) { key.push_back(std::llround(1e7 * x / length)); };
+        for (int k = 0; k < 3; ++k) {
+            add(first[k]);
+            add(second[k] / length);
+        }
+        return key;
+    }
+
+    /// recognise_piece(), once for a piece that stays as it is.
+    template <brep M>
+    [[nodiscard]] PieceMethods methods_of(const M& b, SolidId solid) {
+        const std::vector<long long> key = signature(b, solid);
+        const auto known = known_.find(key);
+        if (known != known_.end()) {
+            return known->second;
+        }
+        return known_[key] = recognise_piece(b, solid, solver_);
+    }
+
+    /// The one that costs most, then the one with the most faces.
+    [[nodiscard]] SolidId worst_piece(const State& at) const {
+        std::size_t worst = 0;
+        const auto rank = [&](std::size_t i) {
+            return std::pair(cost(at.methods[i], options_.costs), at.pieces.model->solid_faces(at.solids[i]).size());
+        };
+        for (std::size_t i = 1; i < at.solids.size(); ++i) {
+            worst = rank(i) > rank(worst) ? i : worst;
+        }
+        return at.solids[worst];
+    }
+
+    std::vector<SolidId> wanted_;
+    Cutter& cutter_;
+    Solver& solver_;
+    Verdict& verdict_;
+    OutOfTime& out_of_time_;
+    CutSearchOptions options_;
+    std::vector<State> open_;
+    std::map<std::vector<long long>, PieceMethods> known_;  ///< by signature()
+    CutSearch result_;
+};
+
+}  // namespace detail
+
+/// Looks for cuts of \p solids after which they can be meshed: best first by cost() of the pieces, which recognition
+/// alone tells; where every piece is taken by a method, \p verdict meshes them: verdict(pieces, solids of the pieces'
+/// model, methods of each) is a PiecesVerdict. The piece that costs most is cut next, or the one that spoils the mesh, by
+/// one of cut_candidates(). \p cutter is a solid_cutter of the model that \p solids belong to, \p P what it makes,
+/// \p out_of_time() ends the search early.
+/// Deterministic if the callables are. A call of the cutter and of recognise_piece() for each piece and try.
+/// \throws Stopped; what the callables throw
+template <solid_pieces P, solid_cutter<P> Cutter, integer_solver Solver, class Verdict, std::predicate OutOfTime>
+[[nodiscard]] CutSearch best_cuts(std::span<const SolidId> solids, Cutter&& cutter, Solver&& solver, Verdict&& verdict,
+                                  OutOfTime&& out_of_time, const CutSearchOptions& options = {}) {
+    return detail::CutSearcher<P, Cutter, Solver, Verdict, OutOfTime>(solids, cutter, solver, verdict, out_of_time,
+                                                                      options)
+        .run();
+}
+
+}  // namespace pavior

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <pavior/decompose/cut_lines.hpp>
+
+#include <variant>
+
+namespace pavior {
+
+namespace detail {
+
+struct SideOfSurface {
+    const Vec3& x;
+
+    double operator()(const CutPlane& s) const { return (x - s.point).dot(s.normal); }
+    double operator()(const CutHalfPlane& s) const {
+        return (x - s.point).dot(s.into) < 0 ? 0.0 : (x - s.point).dot(s.along.cross(s.into));
+    }
+    double operator()(const CutCylinder& s) const { return distance_to_line(x, {s.point, s.direction}) - s.radius; }
+};
+
+struct SameSurface {
+    double tolerance;
+
+    bool operator()(const CutPlane& a, const CutPlane& b) const {
+        return a.normal.cross(b.normal).norm() < 1e-6 && std::abs((b.point - a.point).dot(a.normal)) < tolerance;
+    }
+    bool operator()(const CutHalfPlane& a, const CutHalfPlane& b) const {
+        return a.along.cross(b.along).norm() < 1e-6 && (a.into - b.into).norm() < 1e-6 &&
+               distance_to_line(b.point, {a.point, a.along}) < tolerance;
+    }
+    bool operator()(const CutCylinder& a, const CutCylinder& b) const {
+        return a.direction.cross(b.direction).norm() < 1e-6 && std::abs(a.radius - b.radius) < tolerance &&
+               distance_to_line(b.point, {a.point, a.direction}) < tolerance;
+    }
+    template <class A, class B>
+    bool operator()(const A&, const B&) const {
+        return false;
+    }
+};
+
+}  // namespace detail
+
+PAVIOR_INLINE std::optional<Vec3> common_point(const Axis& a, const Axis& b, double tolerance) {
+    const Vec3 n = a.direction.cross(b.direction);
+    if (n.norm() < 1e-3) {
+        return std::nullopt;
+    }
+    const Vec3 between = b.origin - a.origin;
+    if (std::abs(between.dot(n)) > tolerance * n.norm()) {
+        return std::nullopt;
+    }
+    const double on_a = between.cross(b.direction).dot(n) / n.squaredNorm();
+    const double on_b = between.cross(a.direction).dot(n) / n.squaredNorm();
+    return 0.5 * (a.origin + on_a * a.direction + b.origin + on_b * b.direction);
+}
+
+PAVIOR_INLINE double signed_distance(const CutSurface& surface, const Vec3& x) {
+    return std::visit(detail::SideOfSurface{x}, surface);
+}
+
+PAVIOR_INLINE bool same_surface(const CutSurface& a, const CutSurface& b, double tolerance) {
+    return std::visit(detail::SameSurface{tolerance}, a, b);
+}
+
+}  // namespace pavior

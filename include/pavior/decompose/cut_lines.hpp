@@ -1,0 +1,83 @@
+#pragma once
+/// \file
+/// Lines, circles and cut surfaces: distances, and which are the same.
+
+#include <pavior/brep/brep.hpp>
+#include <pavior/core/compiled.hpp>
+#include <pavior/decompose/solid_cut.hpp>
+#include <pavior/many_to_many/revolution.hpp>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <optional>
+
+namespace pavior {
+
+/// An arc of a circle, or all of it.
+struct CircleArc {
+    Axis axis;  ///< through the centre, which is its origin
+    double radius = 0;
+};
+
+[[nodiscard]] inline double distance_to_line(const Vec3& x, const Axis& line) {
+    return (x - line.origin).cross(line.direction).norm();
+}
+
+/// The middle between two lines that come closer than \p tolerance; nothing for parallel ones and others.
+[[nodiscard]] PAVIOR_INLINE std::optional<Vec3> common_point(const Axis& a, const Axis& b, double tolerance);
+
+/// Positive on one side of a surface, negative on the other. Of a half-plane: as the whole plane, but 0 beyond its line.
+[[nodiscard]] PAVIOR_INLINE double signed_distance(const CutSurface& surface, const Vec3& x);
+
+/// Of one kind and in one place.
+[[nodiscard]] PAVIOR_INLINE bool same_surface(const CutSurface& a, const CutSurface& b, double tolerance);
+
+/// Whether five points of an edge lie on a line, to 1e-6 of its length.
+template <brep B>
+[[nodiscard]] bool is_straight(const B& b, EdgeId edge) {
+    const auto range = b.edge_range(edge);
+    const Vec3 first = b.edge_point(edge, range[0]);
+    const Vec3 last = b.edge_point(edge, range[1]);
+    const double length = (last - first).norm();
+    if (!(length > 0.5 * b.edge_length(edge))) {
+        return false;
+    }
+    const Axis line{first, (last - first) / length};
+    for (const double part : {0.23, 0.5, 0.71}) {
+        if (distance_to_line(b.edge_point(edge, range[0] + part * (range[1] - range[0])), line) > 1e-6 * length) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The circle that an edge runs on, to 1e-6 of its radius; nothing for other edges.
+template <brep B>
+[[nodiscard]] std::optional<CircleArc> circle_of(const B& b, EdgeId edge) {
+    const auto range = b.edge_range(edge);
+    const auto at = [&](double part) { return b.edge_point(edge, range[0] + part * (range[1] - range[0])); };
+    const Vec3 p = at(0);
+    const Vec3 u = at(0.31) - p;
+    const Vec3 v = at(0.67) - p;
+    const Vec3 w = u.cross(v);
+    if (!(w.norm() > 1e-9 * u.norm() * v.norm())) {
+        return std::nullopt;
+    }
+    const Vec3 arm = (u.squaredNorm() * v.cross(w) + v.squaredNorm() * w.cross(u)) / (2 * w.squaredNorm());
+    const CircleArc arc{{p + arm, w.normalized()}, arm.norm()};
+    for (const double part : {0.12, 0.5, 0.83, 1.0}) {
+        const Vec3 x = at(part) - arc.axis.origin;
+        if (std::abs(x.norm() - arc.radius) > 1e-6 * arc.radius ||
+            std::abs(x.dot(arc.axis.direction)) > 1e-6 * arc.radius) {
+            return std::nullopt;
+        }
+    }
+    return arc;
+}
+
+}  // namespace pavior
+
+#ifndef PAVIOR_COMPILED
+#include <pavior/decompose/cut_lines-inl.hpp>
+#endif
