@@ -126,6 +126,7 @@ void fragment_solid(int solid, gmsh::vectorpair tools, Origins& origins) {
 struct GmshCutter::Base {
     const GmshBrep& model;
     detail::ScratchFolder folder;
+    std::map<int, std::size_t> solid_of_saved;        ///< solids of the model by tag in `file`
     std::filesystem::path file;                       ///< empty: the model could not be saved
     std::array<std::map<int, std::size_t>, 4> index;  ///< of the entities of the model, by dimension and Gmsh's tag
 
@@ -142,7 +143,8 @@ struct GmshCutter::Base {
             const detail::Hush hush;
             const detail::GmshModel::Current current(b.gmsh_model());
             const std::filesystem::path saved = folder.path() / "model.brep";
-            if (detail::save_model(saved, b.topology())) {
+            solid_of_saved = detail::match_solids(detail::save_model(saved), b.topology());
+            if (solid_of_saved.size() == b.solid_count()) {
                 file = saved;
             }
         } catch (...) {  // no place for the file, or a model that it does not keep
@@ -262,7 +264,7 @@ std::optional<GmshPieces> GmshCutter::operator()(std::span<const SolidCut> cuts)
             return std::nullopt;
         }
         const SolidId piece{static_cast<std::int32_t>(s)};
-        const SolidId whole{static_cast<std::int32_t>(base_->index[3].at(origin->second))};
+        const SolidId whole{static_cast<std::int32_t>(base_->solid_of_saved.at(origin->second))};
         const double own = made->solid_volume(piece);
         double area = 0;
         for (const OrientedFace& f : made->solid_faces(piece)) {

@@ -69,7 +69,9 @@ struct GmshBrep::Data {
         }
         try {
             const detail::GmshModel::Current current(model);
-            return detail::save_model(file, topology) ? detail::imprint_to_bytes(topology, report) : std::string();
+            return detail::same_topology(topology, detail::save_model(file))
+                       ? detail::imprint_to_bytes(topology, report)
+                       : std::string();
         } catch (...) {  // no place for the file, or a model that it does not keep
             return {};
         }

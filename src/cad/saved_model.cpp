@@ -16,7 +16,8 @@ bool same_face(const FaceData& a, const FaceData& b) {
            (a.bounds[1] - b.bounds[1]).norm() <= same;
 }
 
-/// Whether two models are the same, tags included.
+}  // namespace
+
 bool same_topology(const Topology& a, const Topology& b) {
     const double same = 1e-9 * a.diagonal;
     const auto same_vertex = [&](const Vec3& x, const Vec3& y) { return (x - y).norm() <= same; };
@@ -33,14 +34,45 @@ bool same_topology(const Topology& a, const Topology& b) {
            equal(a.solids, b.solids, same_solid);
 }
 
-}  // namespace
-
-bool save_model(const std::filesystem::path& file, const Topology& topology) {
+Topology save_model(const std::filesystem::path& file) {
     gmsh::write(file.string());
     const GmshModel copy;
     const GmshModel::Current current(copy);
     import_file(file);
-    return same_topology(topology, read_topology(copy));
+    return read_topology(copy);
+}
+
+std::map<int, std::size_t> match_solids(const Topology& copy, const Topology& original) {
+    const auto middle = [](const Topology& t, const SolidData& solid) {
+        Vec3 sum = Vec3::Zero();
+        double count = 0;
+        for (const OrientedFace& f : solid.faces) {
+            for (const EdgeLoop& loop : t.faces[f.face.index()].loops) {
+                for (const OrientedEdge& use : loop) {
+                    for (const VertexId v : t.edges[use.edge.index()].vertices) {
+                        sum += t.vertices[v.index()];
+                        ++count;
+                    }
+                }
+            }
+        }
+        return Vec3(sum / std::max(count, 1.0));
+    };
+    std::map<int, std::size_t> result;
+    std::vector<bool> used(original.solids.size(), false);
+    for (const SolidData& solid : copy.solids) {
+        for (std::size_t i = 0; i < used.size(); ++i) {
+            const SolidData& other = original.solids[i];
+            if (!used[i] && other.faces.size() == solid.faces.size() &&
+                std::abs(other.volume - solid.volume) <= 1e-6 * solid.volume &&
+                (middle(original, other) - middle(copy, solid)).norm() <= 1e-6 * original.diagonal) {
+                used[i] = true;
+                result.emplace(solid.tag, i);
+                break;
+            }
+        }
+    }
+    return result;
 }
 
 }  // namespace pavior::detail

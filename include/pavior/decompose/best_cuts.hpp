@@ -12,6 +12,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -38,28 +39,29 @@ struct CutState {
     std::vector<PieceMethods> methods;  ///< by position in `solids`
     std::vector<SolidId> solids;        ///< pieces of the solids asked for
     double cost = 0;
-    std::size_t order = 0;  ///< in which it was found
-    SolidId next;           ///< the piece to cut
-    bool meshed = false;    ///< was tried
+    std::size_t order = 0;    ///< in which it was found
+    SolidId next;             ///< the piece to cut
+    std::size_t clashes = 0;  ///< pieces that touch and are swept many-to-many in different directions
 
     [[nodiscard]] bool complete() const {
         return std::all_of(methods.begin(), methods.end(), [](const PieceMethods& m) { return m.any(); });
     }
 };
 
-template <solid_pieces P, class Cutter, class Solver, class Verdict, class OutOfTime>
+template <solid_pieces P, class Cutter, class Solver, class Verdict, class OutOfTime, class PieceQuality>
 class CutSearcher {
 public:
     using State = CutState<P>;
 
     CutSearcher(std::span<const SolidId> solids, Cutter& cutter, Solver& solver, Verdict& verdict,
-                OutOfTime& out_of_time, const CutSearchOptions& options)
+                OutOfTime& out_of_time, const CutSearchOptions& options, PieceQuality& piece_quality)
         : wanted_(solids.begin(), solids.end()),
           cutter_(cutter),
           solver_(solver),
           verdict_(verdict),
           out_of_time_(out_of_time),
-          options_(options) {}
+          options_(options),
+          piece_quality_(piece_quality) {}
 
     [[nodiscard]] CutSearch run() {
         std::optional<State> root = state({});
@@ -67,6 +69,7 @@ public:
             return {};
         }
         root->next = worst_piece(*root);
+        root_cost_ = root->cost;
         open_.push_back(std::move(*root));
         while (!open_.empty() && !done()) {
             const auto best = std::min_element(open_.begin(), open_.end(), [](const State& x, const State& y) {
@@ -74,12 +77,7 @@ public:
             });
             State at = std::move(*best);
             open_.erase(best);
-            if (!at.cuts.empty() && at.complete() && !at.meshed) {
-                mesh(at);
-            }
-            if (!done()) {
-                expand(at);
-            }
+            expand(at);
         }
         return std::move(result_);
     }
@@ -87,7 +85,39 @@ public:
 private:
     [[nodiscard]] bool done() const {
         return result_.quality >= options_.sufficient || result_.tried >= options_.max_cuts ||
-               result_.meshed >= options_.max_meshes || out_of_time_();
+               result_.meshed >= options_.max_meshes || hopeless() || out_of_time_();
+    }
+
+    /// Many cuts have brought nothing nearer.
+    [[nodiscard]] bool hopeless() const {
+        return result_.tried >= options_.max_idle && result_.meshed == 0 && least_cost_ > root_cost_ - 0.5;
+    }
+
+    /// Meshes each piece by itself that was not yet; which may change what is known of it.
+    void mesh_pieces(State& at) {
+        for (std::size_t i = 0; i < at.solids.size(); ++i) {
+            PieceMethods& known = known_.at(signature(*at.pieces.model, at.solids[i]));
+            if (known.quality > 1) {
+                known.quality = piece_quality_(at.pieces, at.solids[i], known);
+            }
+            at.methods[i] = known;
+        }
+        add_costs(at);
+        at.next = worst_piece(at);
+    }
+
+    /// Meshes the pieces of a new state if that makes sense, and keeps it.
+    void take(State at) {
+        check_stop(options_.stop);
+        at.next = worst_piece(at);
+        if (at.complete() && at.clashes == 0) {
+            mesh_pieces(at);
+        }
+        if (at.complete() && at.clashes == 0 && !done()) {
+            mesh(at);
+        }
+        least_cost_ = std::min(least_cost_, at.cost);
+        open_.push_back(std::move(at));
     }
 
     void mesh(State& at) {
@@ -99,9 +129,32 @@ private:
             result_.quality = verdict.quality;
             result_.cuts = at.cuts;
         }
+        at.cost += verdict.quality < 0 ? options_.costs.misfit : 0.0;
         if (verdict.guilty.valid()) {
             at.next = verdict.guilty;
         }
+    }
+
+    void add_costs(State& at) const {
+        at.cost = 0;
+        at.clashes = 0;
+        std::map<FaceId, std::size_t> first;  // face: the first piece that has it
+        for (std::size_t i = 0; i < at.solids.size(); ++i) {
+            at.cost += cost(at.methods[i], options_.costs);
+            for (const OrientedFace& f : at.pieces.model->solid_faces(at.solids[i])) {
+                const auto [other, is_first] = first.emplace(f.face, i);
+                at.clashes += !is_first && clash(at.methods[other->second], at.methods[i]) ? 1 : 0;
+            }
+        }
+        at.cost += options_.costs.misfit * static_cast<double>(at.clashes);
+    }
+
+    [[nodiscard]] static bool clash(const PieceMethods& a, const PieceMethods& b) {
+        return a.only_multi_sweep() && b.only_multi_sweep() &&
+               std::none_of(a.directions.begin(), a.directions.end(), [&](const Vec3& d) {
+                   return std::any_of(b.directions.begin(), b.directions.end(),
+                                      [&](const Vec3& e) { return d.cross(e).norm() < 1e-6; });
+               });
     }
 
     /// Tries all cuts of one piece.
@@ -117,15 +170,9 @@ private:
             std::vector<SolidCut> cuts = at.cuts;
             cuts.push_back({at.next, candidate.surfaces, candidate.reason});
             std::optional<State> next = state(std::move(cuts));
-            if (!next || next->cost >= at.cost + 0.5) {
-                continue;
+            if (next && next->cost < at.cost + 0.5) {
+                take(std::move(*next));
             }
-            next->next = worst_piece(*next);
-            if (next->cost < (options_.costs.piece + 1e-9) * static_cast<double>(next->solids.size())) {
-                mesh(*next);  // nothing better can follow
-                next->meshed = true;
-            }
-            open_.push_back(std::move(*next));
         }
     }
 
@@ -144,9 +191,9 @@ private:
                 const SolidId solid{static_cast<std::int32_t>(s)};
                 result.solids.push_back(solid);
                 result.methods.push_back(methods_of(*result.pieces.model, solid));
-                result.cost += cost(result.methods.back(), options_.costs);
             }
         }
+        add_costs(result);
         return result;
     }
 
@@ -211,25 +258,38 @@ private:
     Verdict& verdict_;
     OutOfTime& out_of_time_;
     CutSearchOptions options_;
+    PieceQuality& piece_quality_;
     std::vector<State> open_;
     std::map<std::vector<long long>, PieceMethods> known_;  ///< by signature()
+    double root_cost_ = 0, least_cost_ = std::numeric_limits<double>::infinity();
     CutSearch result_;
+};
+
+/// Pieces are as good as recognition takes them for.
+struct TrustPiece {
+    template <class P>
+    double operator()(const P&, SolidId, const PieceMethods&) const {
+        return 1;
+    }
 };
 
 }  // namespace detail
 
 /// Looks for cuts of \p solids after which they can be meshed: best first by cost() of the pieces, which recognition
-/// alone tells; where every piece is taken by a method, \p verdict meshes them: verdict(pieces, solids of the pieces'
-/// model, methods of each) is a PiecesVerdict. The piece that costs most is cut next, or the one that spoils the mesh, by
-/// one of cut_candidates(). \p cutter is a solid_cutter of the model that \p solids belong to, \p P what it makes,
-/// \p out_of_time() ends the search early.
-/// Deterministic if the callables are. A call of the cutter and of recognise_piece() for each piece and try.
+/// alone tells. Where that finds a method for every piece, piece_quality(pieces, piece, methods), once for each piece,
+/// is the least scaled Jacobian of a mesh of it alone, below 0 if there is none; where all pieces have one,
+/// verdict(pieces, solids of the pieces' model, methods of each), a PiecesVerdict, meshes them together. The piece that
+/// costs most is cut next, or the one that spoils the mesh, by one of cut_candidates(). \p cutter is a solid_cutter of the
+/// model that \p solids belong to, \p P what it makes, \p out_of_time() ends the search early.
+/// Deterministic if the callables are. A call of the cutter for each try, of recognise_piece() for each new piece.
 /// \throws Stopped; what the callables throw
-template <solid_pieces P, solid_cutter<P> Cutter, integer_solver Solver, class Verdict, std::predicate OutOfTime>
+template <solid_pieces P, solid_cutter<P> Cutter, integer_solver Solver, class Verdict, std::predicate OutOfTime,
+          class PieceQuality = detail::TrustPiece>
 [[nodiscard]] CutSearch best_cuts(std::span<const SolidId> solids, Cutter&& cutter, Solver&& solver, Verdict&& verdict,
-                                  OutOfTime&& out_of_time, const CutSearchOptions& options = {}) {
-    return detail::CutSearcher<P, Cutter, Solver, Verdict, OutOfTime>(solids, cutter, solver, verdict, out_of_time,
-                                                                      options)
+                                  OutOfTime&& out_of_time, const CutSearchOptions& options = {},
+                                  PieceQuality piece_quality = {}) {
+    return detail::CutSearcher<P, Cutter, Solver, Verdict, OutOfTime, PieceQuality>(solids, cutter, solver, verdict,
+                                                                                    out_of_time, options, piece_quality)
         .run();
 }
 

@@ -66,7 +66,7 @@ enum class CutReason : std::uint8_t {
 
 /// Surfaces that cut one solid together, each as far as it runs inside that solid.
 struct SolidCut {
-    SolidId solid;  ///< of the model as the cuts before this one left it
+    SolidId solid;  ///< of the pieces that the cuts before this one left
     std::vector<CutSurface> surfaces;
     CutReason reason = CutReason::step;
 };
@@ -81,8 +81,7 @@ concept solid_pieces = std::movable<P> && brep<std::remove_cvref_t<decltype(*std
 
 /// C is a solid_cutter that makes pieces P if c(cuts), of a span of SolidCut, is what is left of one and the same model
 /// after the cuts in their order (none: the model itself), an optional P: nothing where a cut does not divide its
-/// solid, leaves slivers, or the CAD kernel fails. Every solid without a cut is one piece. Without cuts solids have the
-/// order of the model. Deterministic.
+/// solid, leaves slivers, or the CAD kernel fails. Every solid without a cut is one piece. Deterministic.
 template <class C, class P>
 concept solid_cutter = solid_pieces<P> && requires(C& cut, std::span<const SolidCut> cuts) {
     { cut(cuts) } -> std::convertible_to<std::optional<P>>;

@@ -91,7 +91,20 @@ PAVIOR_INLINE DecomposedSolids decompose_solids(const AnyModel& model, std::span
         attempt(PartMethod::mixed);
         return found;
     };
-    result.search = best_cuts<ModelPieces>(solids, cut, solver, verdict, out_of_time, options);
+    const auto piece_quality = [&](const ModelPieces& pieces, SolidId piece, const PieceMethods& methods) {
+        double best = -1;
+        const std::span<const SolidId> one(&piece, 1);
+        for (const auto& [takes, method] : {std::pair(methods.submap, PartMethod::submap),
+                                            {methods.sweep, PartMethod::sweep},
+                                            {methods.multi_sweep, PartMethod::multi_sweep}}) {
+            if (takes && best < options.sufficient && !out_of_time()) {
+                const MethodTry alone = mesh(method, pieces, one);
+                best = alone.outcome == TryOutcome::mesh ? std::max(best, alone.min_jacobian) : best;
+            }
+        }
+        return best;
+    };
+    result.search = best_cuts<ModelPieces>(solids, cut, solver, verdict, out_of_time, options, piece_quality);
     return result;
 }
 
