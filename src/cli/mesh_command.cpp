@@ -1,6 +1,7 @@
 #include "made_mesh.hpp"
 #include "progress_bar.hpp"
 
+#include <pavior/cad/cut_model.hpp>
 #include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/core/stop.hpp>
@@ -9,7 +10,9 @@
 #include <pavior/part/mesh_file.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <span>
 #include <utility>
@@ -195,6 +198,28 @@ MadeMesh made_of(const GmshBrep& model, PartMesh part, Json json) {
     return made;
 }
 
+/// Writes the pieces of the first group of solids that was cut; a note on what was written.
+std::string save_pieces(const MeshCommand& command, const GmshBrep& model, std::span<const PartDecision> decisions,
+                        OutputFiles& files) {
+    std::size_t cut = 0;
+    for (const PartDecision& decision : decisions) {
+        const auto* taken = decision.taken ? &decision.tries[*decision.taken] : nullptr;
+        if (taken == nullptr || taken->cuts.empty()) {
+            continue;
+        }
+        if (++cut == 1) {
+            const GmshCutter cutter(model);
+            files.write(command.save_pieces, [&](const std::string& file) { cutter.save(taken->cuts, file); });
+        }
+    }
+    if (cut == 0) {
+        return "no solid was cut: there are no pieces for " + command.save_pieces;
+    }
+    return cut == 1 ? std::string()
+                    : command.save_pieces + " holds the pieces of the first of " + std::to_string(cut) +
+                          " groups of solids that were cut";
+}
+
 }  // namespace
 
 ExitCode run_mesh(const MeshCommand& command, Guard& guard) {
@@ -202,7 +227,10 @@ ExitCode run_mesh(const MeshCommand& command, Guard& guard) {
         throw FileError(command.input, "unknown input format; known are .step .stp .iges .igs .brep");
     }
     static_cast<void>(mesh_format(command.output, command.format));  // refuses what cannot be written
-    OutputFiles files(command.input, {command.output, command.report});
+    if (!command.save_pieces.empty() && std::filesystem::path(command.save_pieces).extension() != ".brep") {
+        throw FileError(command.save_pieces, "pieces are written as .brep");
+    }
+    OutputFiles files(command.input, {command.output, command.report, command.save_pieces});
     const Stopwatch watch;
     const OutputUnit unit(command.input, command.unit);
     ProgressBar bar(command.quiet);
@@ -239,6 +267,11 @@ ExitCode run_mesh(const MeshCommand& command, Guard& guard) {
     guard.lift_limit();
     if (command.explain) {
         print_tree(std::cout, model, command, part.decisions);
+    }
+    if (!command.save_pieces.empty()) {
+        if (std::string note = save_pieces(command, model, part.decisions, files); !note.empty()) {
+            part.warnings.push_back(std::move(note));
+        }
     }
     Json json = report_of(command, model, part);
     if (!part.complete()) {

@@ -62,7 +62,7 @@ PAVIOR_INLINE PartDecision decide(std::vector<SolidId> solids, const PartOptions
     const double limit = options.seconds * static_cast<double>(result.solids.size());
     const std::vector<PartMethod> methods = detail::methods_for(result.solids.size(), options);
     const bool last_resort = options.methods.empty() && options.last_resort;
-    const double kept = last_resort ? 0.2 * limit : 0;
+    const double kept = last_resort ? 0.35 * limit : 0;
     const Stopwatch watch;
     for (std::size_t m = 0; m < methods.size(); ++m) {
         check_stop(options.execution.stop);

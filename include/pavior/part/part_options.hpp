@@ -62,7 +62,7 @@ struct PartOptions {
     /// With `methods` empty, cut solids into pieces that the first four methods mesh together.
     bool decompose = true;
     /// With `methods` empty, split what no method meshes validly: a mesh for every closed solid, of more and of poorer
-    /// hexahedra; and what none meshes with `sufficient`, if that helps. A fifth of the time is kept for it.
+    /// hexahedra; and what none meshes with `sufficient`, if that helps. A third of the time is kept for it.
     bool last_resort = true;
     /// Nothing more is tried once a valid mesh has a least scaled Jacobian of this.
     double sufficient = 0.2;
