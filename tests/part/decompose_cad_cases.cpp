@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -38,8 +39,12 @@ PartMesh decomposed(const GmshBrep& model, unsigned threads = 1) {
     return mesh_model(model, options);
 }
 
-/// Quads are seen from the side of their face's own normal, so those of a solid from outside if that is turned.
+/// Quads are those of the faces of the model, all of these, and look outward.
 void check_quads(const GmshBrep& model, const PartMesh& part) {
+    std::map<FaceId, double> sense;
+    for (const OrientedFace& f : model.solid_faces(SolidId{0})) {
+        sense[f.face] = f.outward ? 1 : -1;
+    }
     std::set<FaceId> seen;
     std::size_t wrong = 0;
     for (std::size_t q = 0; q < part.data.quads.size(); ++q) {
@@ -53,7 +58,7 @@ void check_quads(const GmshBrep& model, const PartMesh& part) {
         const Vec3 n = (x[quad[2]] - x[quad[0]]).cross(x[quad[3]] - x[quad[1]]);
         const Vec3 middle = 0.25 * (x[quad[0]] + x[quad[1]] + x[quad[2]] + x[quad[3]]);
         const auto [du, dv] = model.face_derivatives(f, model.closest_on_face(f, middle));
-        wrong += n.dot(du.cross(dv)) > 0 ? 0 : 1;
+        wrong += sense.at(f) * n.dot(du.cross(dv)) > 0 ? 0 : 1;
     }
     CHECK(wrong == 0);
     CHECK(seen.size() == model.face_count());

@@ -1,3 +1,4 @@
+#include "support/archetypes.hpp"
 #include "support/catch.hpp"
 #include "support/grid_cap.hpp"
 #include "support/test_brep.hpp"
@@ -15,13 +16,16 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <set>
 #include <span>
 #include <stop_token>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -86,11 +90,22 @@ bool holds(const TestBrep& b, FaceId f, const Vec3& x, const Vec3& n) {
     return inside;
 }
 
+/// A brep whose faces and solids are given tags later.
+class Tagged : public archetype::Brep<TestBrep> {
+public:
+    using Brep::Brep;
+    [[nodiscard]] int tag(int dim, std::size_t index) const {
+        const auto& given = dim == 3 ? solids : faces;
+        return dim < 2 || given.empty() ? Brep::tag(dim, index) : given.at(index);
+    }
+    std::vector<int> faces, solids;
+};
+
 /// Solids of boxes as a model that can be cut by the planes of their lattice.
 class Cuttable {
 public:
     explicit Cuttable(const Voxels& voxels, bool flipped = false) : whole_(voxels, flipped), cutter_(voxels) {
-        cutter_.flipped = !flipped;  // faces of pieces may be turned against those of the model
+        cutter_.flipped = !flipped;  // faces of pieces are turned against those of the model
     }
     [[nodiscard]] const TestBrep& brep() const { return whole_.brep(); }
     [[nodiscard]] std::size_t calls() const { return cutter_.calls; }
@@ -100,30 +115,41 @@ public:
         if (!made) {
             return std::nullopt;
         }
-        struct Kept {
-            VoxelPieces pieces;
-            AnyModel any;
-            explicit Kept(VoxelPieces p) : pieces(std::move(p)), any(*pieces.model) {}
-        };
-        const auto kept = std::make_shared<const Kept>(std::move(*made));
+        const auto kept = std::make_shared<Kept>(std::move(*made));
         return ModelPieces{std::shared_ptr<const AnyModel>(kept, &kept->any), kept->pieces.solid,
-                           GridCap<TestBrep>{&*kept->pieces.model}, [this, kept] {
-                               const TestBrep& b = *kept->pieces.model;
-                               std::vector<FaceId> faces(b.face_count());
-                               for (std::size_t f = 0; f < faces.size(); ++f) {
-                                   const FaceId piece{static_cast<std::int32_t>(f)};
-                                   for (std::size_t w = 0; w < brep().face_count(); ++w) {
-                                       const FaceId whole{static_cast<std::int32_t>(w)};
-                                       if (holds(brep(), whole, middle_of(b, piece), normal_of(b, piece))) {
-                                           faces[f] = whole;
-                                       }
-                                   }
-                               }
-                               return faces;
-                           }};
+                           GridCap<TestBrep>{&*kept->pieces.model}, [this, kept] { return identify(*kept); }};
     }
 
 private:
+    struct Kept {
+        VoxelPieces pieces;
+        Tagged tagged;
+        AnyModel any;
+        explicit Kept(VoxelPieces p) : pieces(std::move(p)), tagged(*pieces.model), any(tagged) {}
+    };
+
+    std::vector<FaceId> identify(Kept& kept) const {
+        const TestBrep& b = *kept.pieces.model;
+        std::vector<FaceId> faces(b.face_count());
+        kept.tagged.faces.clear();
+        for (std::size_t f = 0; f < faces.size(); ++f) {
+            const FaceId piece{static_cast<std::int32_t>(f)};
+            for (std::size_t w = 0; w < brep().face_count(); ++w) {
+                const FaceId whole{static_cast<std::int32_t>(w)};
+                if (holds(brep(), whole, middle_of(b, piece), normal_of(b, piece))) {
+                    faces[f] = whole;
+                }
+            }
+            const std::size_t fresh = brep().face_count() + f;
+            kept.tagged.faces.push_back(brep().tag(2, faces[f].valid() ? faces[f].index() : fresh));
+        }
+        kept.tagged.solids.clear();
+        for (const SolidId s : kept.pieces.solid) {
+            kept.tagged.solids.push_back(brep().tag(3, s.index()));
+        }
+        return faces;
+    }
+
     VoxelBrep whole_;
     VoxelCutter cutter_;
 };
@@ -158,13 +184,26 @@ DecomposedSolids decomposed(Cuttable& model, const std::vector<SolidId>& solids,
     return decompose_solids(any, solids, std::ref(model), GlpkSolver{}, mesh, out_of_time, options);
 }
 
-/// Hexahedra and quads belong to solids and faces of the model, quads are those of its faces alone, with their sense.
+/// The normal of a face that leaves the first of its solids.
+Vec3 outward_of(const TestBrep& b, FaceId face) {
+    for (const SolidId s : all_solids(b)) {
+        for (const OrientedFace& f : b.solid_faces(s)) {
+            if (f.face == face) {
+                return (f.outward ? 1 : -1) * normal_of(b, face);
+            }
+        }
+    }
+    return Vec3::Zero();
+}
+
+/// Hexahedra and quads belong to solids and faces of the model, quads are those of its faces alone, and look outward.
 template <class Mesh>
 void check_told(const TestBrep& b, const std::vector<SolidId>& solids, const Mesh& mesh) {
     const HexMeshData& data = mesh.data;
     REQUIRE(mesh.hex_solid.size() == data.mesh.hexes.size());
-    for (const SolidId s : mesh.hex_solid) {
-        CHECK(std::find(solids.begin(), solids.end(), s) != solids.end());
+    for (std::size_t h = 0; h < mesh.hex_solid.size(); ++h) {
+        CHECK(std::find(solids.begin(), solids.end(), mesh.hex_solid[h]) != solids.end());
+        CHECK(data.hex_groups[h] == b.tag(3, mesh.hex_solid[h].index()));
     }
     REQUIRE(data.quads.size() == mesh.quad_face.size());
     REQUIRE(data.quads.size() == data.quad_groups.size());
@@ -182,7 +221,7 @@ void check_told(const TestBrep& b, const std::vector<SolidId>& solids, const Mes
         CHECK(data.quad_groups[q] == b.tag(2, f.index()));
         const auto& x = data.mesh.nodes;
         const Vec3 n = (x[data.quads[q][2]] - x[data.quads[q][0]]).cross(x[data.quads[q][3]] - x[data.quads[q][1]]);
-        CHECK(n.normalized().dot(normal_of(b, f)) == Approx(1));
+        CHECK(n.normalized().dot(outward_of(b, f)) == Approx(1));
         for (const Index i : data.quads[q]) {
             CHECK(std::abs((x[i] - b.face_point(f, Vec2::Zero())).dot(normal_of(b, f))) < 1e-9);
         }
