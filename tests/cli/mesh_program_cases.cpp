@@ -119,7 +119,7 @@ TEST_CASE("mesh: a many-to-many part is swept from cap to cap, and --explain say
 }
 
 TEST_CASE("mesh: what no sweep reaches becomes blocks") {
-    const auto json = meshed("mfcad/1-4-4-4-14-23.step", "--size 2", 21);
+    const auto json = meshed("mfcad/1-4-4-4-14-23.step", "--size 2 --decompose off", 21);
     CHECK(json["decisions"][0]["method"] == "block");
     for (const char* method : {"submap", "sweep", "multi-sweep"}) {
         CHECK(tried(json, method)["outcome"] == "refused");
@@ -379,7 +379,8 @@ TEST_CASE("mesh: one of several solids becomes blocks, the others do not notice"
     });
     const std::string mesh = scratch_file("block_and_box.vtu");
     const std::string report = scratch_file("block_and_box.json");
-    const ProgramRun run = run_program("mesh " + model + " --size 2 --quiet -o " + mesh + " --report " + report);
+    const ProgramRun run =
+        run_program("mesh " + model + " --size 2 --decompose off --quiet -o " + mesh + " --report " + report);
     CAPTURE(run.err);
     REQUIRE(run.code == 0);
     const auto json = json_of(report);
