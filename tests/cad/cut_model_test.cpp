@@ -324,8 +324,8 @@ TEST_CASE("The same pieces each time, from copies that outlive the first, and th
 }
 
 TEST_CASE("Files: parts with round faces and assemblies are cut and known again") {
-    const std::string examples = PAVIOR_EXAMPLE_DATA;
-    const GmshBrep tee = GmshBrep::load(examples + "/solids/pipe_tee.step");
+    const std::filesystem::path examples = PAVIOR_EXAMPLE_DATA;
+    const GmshBrep tee = GmshBrep::load(examples / "solids/pipe_tee.step");
     const GmshCutter cut_tee(tee);
     Vec3 low = tee.vertex_point(VertexId{0});
     Vec3 high = low;
@@ -347,7 +347,7 @@ TEST_CASE("Files: parts with round faces and assemblies are cut and known again"
         }
     }
     CHECK(cut >= 2);
-    const GmshBrep assembly = GmshBrep::load(examples + "/assembly/bolt_plate_washer.step");
+    const GmshBrep assembly = GmshBrep::load(examples / "assembly/bolt_plate_washer.step");
     const GmshCutter cut_assembly(assembly);
     const std::optional<GmshPieces> whole = cut_assembly({});
     REQUIRE(whole);

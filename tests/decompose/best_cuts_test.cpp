@@ -99,7 +99,10 @@ TEST_CASE("Cuts are found after which all pieces are as the verdict wants them")
             VoxelCutter cutter(voxels);
             cutter.flipped = flipped;
             BoxesWanted verdict;
-            const CutSearch found = best_cuts<VoxelPieces>(first_solid, cutter, GlpkSolver{}, verdict, endless);
+            CutSearchOptions options;
+            options.max_cuts = options.max_meshes = 2000;
+            const CutSearch found =
+                best_cuts<VoxelPieces>(first_solid, cutter, GlpkSolver{}, verdict, endless, options);
             CAPTURE(voxels.size[0], found.tried, found.meshed);
             CHECK(found.quality == verdict.content);
             CHECK(found.tried == cutter.calls);

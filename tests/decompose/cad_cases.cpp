@@ -221,7 +221,10 @@ TEST_CASE("Recognition of parts: a tee is for no method, half a turn of a sleeve
     CHECK_FALSE(methods_of(example("bolt_neck_fillet.step")).any());
     CHECK_FALSE(methods_of(example("flanged_sleeve_full_turn.step")).any());
     CHECK(methods_of(example("flanged_sleeve_half_turn.step")).any());
-    CHECK_FALSE(methods_of(GmshBrep::build([] { (void)occ::addSphere(0, 0, 0, 1); })).any());
+    const PieceMethods ball = methods_of(GmshBrep::build([] { (void)occ::addSphere(0, 0, 0, 1); }));
+    CHECK_FALSE(ball.submap);
+    CHECK_FALSE(ball.sweep);
+    CHECK_FALSE(ball.multi_sweep);
     const PieceMethods box = methods_of(GmshBrep::build([] { (void)occ::addBox(0, 0, 0, 1, 2, 3); }));
     CHECK(box.submap);
     CHECK(box.sweep);

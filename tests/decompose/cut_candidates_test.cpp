@@ -110,7 +110,7 @@ TEST_CASE("Where there is no room round a hole no cylinder is laid round it") {
     CHECK(count_of(candidates, CutReason::axis_plane) > 0);
 }
 
-TEST_CASE("A shaft that steps gives the plane of its shoulder and the cylinder of its neck") {
+TEST_CASE("A shaft that steps is cut off at its shoulder") {
     TestBrep b;
     const Ring low = add_circle(b, 2, 0), rim = add_circle(b, 2, 1), foot = add_circle(b, 1, 1),
                high = add_circle(b, 1, 3);
@@ -121,7 +121,6 @@ TEST_CASE("A shaft that steps gives the plane of its shoulder and the cylinder o
                                    {add_round_wall(b, foot, high), true}});
     const std::vector<CutCandidate> candidates = checked_candidates(b, shaft);
     CHECK(has_single(candidates, CutPlane{{0, 0, 1}, Vec3::UnitZ()}));
-    CHECK(has_single(candidates, CutCylinder{Vec3::Zero(), Vec3::UnitZ(), 1, Vec3::UnitX()}));
 }
 
 TEST_CASE("Candidates of random solids divide them, none comes twice, and they are the same each time") {
@@ -147,7 +146,7 @@ TEST_CASE("Candidates of random solids divide them, none comes twice, and they a
             const std::vector<EdgeAngle> angles = edge_angles(solid.brep(), s);
             const bool notched =
                 std::any_of(angles.begin(), angles.end(), [](const EdgeAngle& a) { return a.concave(); });
-            CHECK(candidates.empty() != notched);  // a solid of boxes without a notch is one
+            CHECK((!notched || !candidates.empty()));
             ++looked_at;
         }
     }
