@@ -38,7 +38,8 @@ template <brep B, integer_solver Solver>
     }
     const std::vector<Extrusion> extrusions = recognise_extrusions(b, one);
     result.leaning = extrusions.empty() ? b.solid_faces(solid).size() : extrusions.front().refusals.size();
-    result.multi_sweep = !extrusions.empty() && result.leaning == 0;
+    // All faces of a ball are sides by the samples on its seam.
+    result.multi_sweep = !extrusions.empty() && result.leaning == 0 && extrusions.front().caps > 0;
     if (!result.multi_sweep) {
         for (const Axis& axis : revolution_axes(b, one)) {
             const Unrolling any(axis, axis.direction.unitOrthogonal(), 1);
