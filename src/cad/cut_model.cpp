@@ -1,9 +1,9 @@
 #include <pavior/cad/cut_model.hpp>
 
+#include "../common/file_extension.hpp"
 #include "entities_at.hpp"
 #include "gmsh_import.hpp"
 #include "gmsh_topology.hpp"
-#include "saved_model.hpp"
 #include "scratch_folder.hpp"
 
 #include <Eigen/Geometry>
@@ -17,6 +17,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -27,13 +28,42 @@ namespace {
 
 namespace occ = gmsh::model::occ;
 
-/// By tag of a solid: the tag of what it was in the model before any cut.
-using Origins = std::map<int, int>;
+/// By tag of a solid: the position of what it was in the model before any cut.
+using Origins = std::map<int, std::size_t>;
 
 gmsh::vectorpair all_entities(int dim) {
     gmsh::vectorpair list;
     gmsh::model::getEntities(list, dim);
     return list;
+}
+
+/// The box round the vertices of a solid.
+Box<> box_of(const detail::Topology& topology, const detail::SolidData& solid) {
+    Box<> box;
+    for (const OrientedFace& f : solid.faces) {
+        for (const EdgeLoop& loop : topology.faces[f.face.index()].loops) {
+            for (const OrientedEdge& use : loop) {
+                for (const VertexId v : topology.edges[use.edge.index()].vertices) {
+                    box.add(topology.vertices[v.index()]);
+                }
+            }
+        }
+    }
+    return box;
+}
+
+/// Whether two models have the same solids in the same order, whatever the tags and the order of what bounds them.
+bool same_solids(const detail::Topology& a, const detail::Topology& b) {
+    const double near = 1e-6 * a.diagonal;
+    return a.vertices.size() == b.vertices.size() && a.edges.size() == b.edges.size() &&
+           a.faces.size() == b.faces.size() &&
+           std::equal(a.solids.begin(), a.solids.end(), b.solids.begin(), b.solids.end(),
+                      [&](const detail::SolidData& x, const detail::SolidData& y) {
+                          const Box<> own = box_of(a, x);
+                          const Box<> other = box_of(b, y);
+                          return x.faces.size() == y.faces.size() && std::abs(x.volume - y.volume) <= 1e-6 * x.volume &&
+                                 (own.low - other.low).norm() <= near && (own.high - other.high).norm() <= near;
+                      });
 }
 
 /// Makes the faces of surfaces in the current model, large enough to reach through it.
@@ -142,7 +172,11 @@ struct GmshCutter::Base {
             const detail::Hush hush;
             const detail::GmshModel::Current current(b.gmsh_model());
             const std::filesystem::path saved = folder.path() / "model.brep";
-            if (detail::save_model(saved, b.topology())) {
+            gmsh::write(saved.string());
+            const detail::GmshModel copy;
+            const detail::GmshModel::Current current_copy(copy);
+            detail::import_file(saved);
+            if (same_solids(b.topology(), detail::read_topology(copy))) {
                 file = saved;
             }
         } catch (...) {  // no place for the file, or a model that it does not keep
@@ -154,7 +188,7 @@ struct GmshCutter::Base {
         detail::import_file(file);
         origins.clear();
         for (const auto& [dim, tag] : all_entities(3)) {
-            origins.emplace(tag, tag);
+            origins.emplace(tag, origins.size());
         }
         const SurfaceMaker maker(detail::bounding_box());
         for (const SolidCut& cut : cuts) {
@@ -262,7 +296,7 @@ std::optional<GmshPieces> GmshCutter::operator()(std::span<const SolidCut> cuts)
             return std::nullopt;
         }
         const SolidId piece{static_cast<std::int32_t>(s)};
-        const SolidId whole{static_cast<std::int32_t>(base_->index[3].at(origin->second))};
+        const SolidId whole{static_cast<std::int32_t>(origin->second)};
         const double own = made->solid_volume(piece);
         double area = 0;
         for (const OrientedFace& f : made->solid_faces(piece)) {
@@ -295,14 +329,25 @@ std::vector<FaceId> GmshCutter::identify(GmshPieces& pieces) const {
 }
 
 void GmshCutter::save(std::span<const SolidCut> cuts, const std::filesystem::path& file) const {
+    if (detail::file_extension(file) != ".brep") {
+        throw FileError(file.string(), "pieces are written to files whose names end in .brep");
+    }
     const std::optional<GmshPieces> pieces = (*this)(cuts);
     if (!pieces) {
         throw InputError(ErrorCode::bad_option, "these cuts give no pieces");
     }
-    const detail::Hush hush;
-    const detail::GmshModel::Current current(pieces->model->gmsh_model());
-    detail::with_gmsh([&] { gmsh::write(file.string()); },
-                      [&](const std::string& message) { throw FileError(file.string(), message); });
+    const std::filesystem::path saved = base_->folder.path() / "pieces.brep";
+    {
+        const detail::Hush hush;
+        const detail::GmshModel::Current current(pieces->model->gmsh_model());
+        detail::with_gmsh([&] { gmsh::write(saved.string()); },
+                          [&](const std::string& message) { throw FileError(file.string(), message); });
+    }
+    std::error_code failure;  // Gmsh does not say what it cannot write
+    std::filesystem::copy_file(saved, file, std::filesystem::copy_options::overwrite_existing, failure);
+    if (failure) {
+        throw FileError(file.string(), "it cannot be written: " + failure.message());
+    }
 }
 
 }  // namespace pavior
