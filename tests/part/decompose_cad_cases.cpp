@@ -123,7 +123,7 @@ void check_part(const GmshBrep& model) {
     check_groups(model, part);
     check_cuts(model, taken);
     REQUIRE(part.deviation.relative_volume());
-    CHECK(std::abs(*part.deviation.relative_volume()) < 0.03);
+    CHECK(std::abs(*part.deviation.relative_volume()) < 0.05);  // a circle of twelve edges lacks 4.5 %
     for (const unsigned threads : {1U, 2U}) {
         const PartMesh again = decomposed(model, threads);
         CHECK(again.data.mesh.nodes == part.data.mesh.nodes);
