@@ -31,8 +31,9 @@ GmshBrep example(const std::string& name) {
     return GmshBrep::load(std::string(PAVIOR_EXAMPLE_DATA).append("/solids/").append(name));
 }
 
-PartMesh decomposed(const GmshBrep& model, unsigned threads = 1) {
+PartMesh decomposed(const GmshBrep& model, double size = 0, unsigned threads = 1) {
     PartOptions options;
+    options.size = size;
     options.methods = {PartMethod::decompose};
     options.seconds = 0;
     options.execution.threads = threads;
@@ -110,7 +111,8 @@ bool same_surfaces(const MethodTry& a, const MethodTry& b) {
 }
 
 void check_part(const GmshBrep& model) {
-    const PartMesh part = decomposed(model);
+    const double size = model.diagonal() / 24;
+    const PartMesh part = decomposed(model, size);
     INFO(reason_of(part));
     REQUIRE(part.valid());
     const MethodTry& taken = part.decisions[0].tries[0];
@@ -118,14 +120,14 @@ void check_part(const GmshBrep& model) {
     CHECK(part.check.quality.scaled_jacobian.min >= 0.3);
     CHECK(verify_hexes(part.data.mesh).ok());
     CHECK(part.data.quads.size() == part.check.verify.boundary_quads);  // none between pieces
-    check_features(model, part, model.diagonal() / 12);
+    check_features(model, part, size);
     check_quads(model, part);
     check_groups(model, part);
     check_cuts(model, taken);
     REQUIRE(part.deviation.relative_volume());
     CHECK(std::abs(*part.deviation.relative_volume()) < 0.05);  // a circle of twelve edges lacks 4.5 %
     for (const unsigned threads : {1U, 2U}) {
-        const PartMesh again = decomposed(model, threads);
+        const PartMesh again = decomposed(model, size, threads);
         CHECK(again.data.mesh.nodes == part.data.mesh.nodes);
         CHECK(again.data.mesh.hexes == part.data.mesh.hexes);
         CHECK(again.data.quads == part.data.quads);
@@ -145,6 +147,21 @@ TEST_CASE("A bolt with a fillet at its neck") { check_part(example("bolt_neck_fi
 
 TEST_CASE("A peg with a fillet at its neck and a chamfer on its tip") {
     check_part(example("peg_neck_fillet_tip_chamfer.step"));
+}
+
+TEST_CASE("Coarse meshes are valid, too, and keep all features") {
+    for (const char* name : {"pipe_tee.step", "flanged_sleeve_full_turn.step", "bolt_neck_fillet.step"}) {
+        CAPTURE(name);
+        const GmshBrep model = example(name);
+        const PartMesh part = decomposed(model);
+        INFO(reason_of(part));
+        REQUIRE(part.valid());
+        CHECK(part.check.quality.scaled_jacobian.min >= 0.1);
+        check_features(model, part, model.diagonal() / 12);
+        check_quads(model, part);
+        check_groups(model, part);
+        check_cuts(model, part.decisions[0].tries[0]);
+    }
 }
 
 TEST_CASE("What nothing cuts is refused with the reason: a ball, a box") {
