@@ -1,5 +1,6 @@
 #include <pavior/cad/cut_model.hpp>
 
+#include "../common/file_extension.hpp"
 #include "entities_at.hpp"
 #include "gmsh_import.hpp"
 #include "gmsh_topology.hpp"
@@ -17,6 +18,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -27,8 +29,8 @@ namespace {
 
 namespace occ = gmsh::model::occ;
 
-/// By tag of a solid: the tag of what it was in the model before any cut.
-using Origins = std::map<int, int>;
+/// By tag of a solid: the position of what it was in the model before any cut.
+using Origins = std::map<int, std::size_t>;
 
 gmsh::vectorpair all_entities(int dim) {
     gmsh::vectorpair list;
@@ -156,7 +158,7 @@ struct GmshCutter::Base {
         detail::import_file(file);
         origins.clear();
         for (const auto& [dim, tag] : all_entities(3)) {
-            origins.emplace(tag, tag);
+            origins.emplace(tag, solid_of_saved.at(tag));
         }
         const SurfaceMaker maker(detail::bounding_box());
         for (const SolidCut& cut : cuts) {
@@ -264,7 +266,7 @@ std::optional<GmshPieces> GmshCutter::operator()(std::span<const SolidCut> cuts)
             return std::nullopt;
         }
         const SolidId piece{static_cast<std::int32_t>(s)};
-        const SolidId whole{static_cast<std::int32_t>(base_->solid_of_saved.at(origin->second))};
+        const SolidId whole{static_cast<std::int32_t>(origin->second)};
         const double own = made->solid_volume(piece);
         double area = 0;
         for (const OrientedFace& f : made->solid_faces(piece)) {
@@ -297,14 +299,25 @@ std::vector<FaceId> GmshCutter::identify(GmshPieces& pieces) const {
 }
 
 void GmshCutter::save(std::span<const SolidCut> cuts, const std::filesystem::path& file) const {
+    if (detail::file_extension(file) != ".brep") {
+        throw FileError(file.string(), "pieces are written to files whose names end in .brep");
+    }
     const std::optional<GmshPieces> pieces = (*this)(cuts);
     if (!pieces) {
         throw InputError(ErrorCode::bad_option, "these cuts give no pieces");
     }
-    const detail::Hush hush;
-    const detail::GmshModel::Current current(pieces->model->gmsh_model());
-    detail::with_gmsh([&] { gmsh::write(file.string()); },
-                      [&](const std::string& message) { throw FileError(file.string(), message); });
+    const std::filesystem::path saved = base_->folder.path() / "pieces.brep";
+    {
+        const detail::Hush hush;
+        const detail::GmshModel::Current current(pieces->model->gmsh_model());
+        detail::with_gmsh([&] { gmsh::write(saved.string()); },
+                          [&](const std::string& message) { throw FileError(file.string(), message); });
+    }
+    std::error_code failure;  // Gmsh does not say what it cannot write
+    std::filesystem::copy_file(saved, file, std::filesystem::copy_options::overwrite_existing, failure);
+    if (failure) {
+        throw FileError(file.string(), "it cannot be written: " + failure.message());
+    }
 }
 
 }  // namespace pavior

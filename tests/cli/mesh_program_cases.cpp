@@ -5,6 +5,8 @@
 
 #include <pavior/core/stopwatch.hpp>
 #include <pavior/io/mesh_file.hpp>
+#include <pavior/mesh/face_table.hpp>
+#include <pavior/mesh/outward_quads.hpp>
 #include <pavior/mesh/quality.hpp>
 #include <pavior/mesh/verify_hexes.hpp>
 
@@ -51,6 +53,19 @@ nlohmann::json tried(const nlohmann::json& json, const std::string& method) {
         }
     }
     return {};
+}
+
+/// Quads on the boundary that do not look outward.
+std::size_t quads_that_look_inward(const HexMeshData& data) {
+    const auto faces = faces_under_quads(data.mesh, data.quads);
+    std::size_t count = 0;
+    for (std::size_t q = 0; q < data.quads.size(); ++q) {
+        const auto& [own, other] = faces[q];
+        REQUIRE(own.hex != no_index);
+        const QuadCorners outward = hex_face(data.mesh.hexes[own.hex], own.face);
+        count += other.hex == no_index && from_smallest(data.quads[q]) != from_smallest(outward) ? 1 : 0;
+    }
+    return count;
 }
 
 /// Writes what \p make makes with the CAD kernel to a file; its name.
@@ -104,7 +119,7 @@ TEST_CASE("mesh: a many-to-many part is swept from cap to cap, and --explain say
 }
 
 TEST_CASE("mesh: what no sweep reaches becomes blocks") {
-    const auto json = meshed("mfcad/1-4-4-4-14-23.step", "--size 2", 21);
+    const auto json = meshed("mfcad/1-4-4-4-14-23.step", "--size 2 --decompose off", 21);
     CHECK(json["decisions"][0]["method"] == "block");
     for (const char* method : {"submap", "sweep", "multi-sweep"}) {
         CHECK(tried(json, method)["outcome"] == "refused");
@@ -162,6 +177,70 @@ TEST_CASE("mesh: the time limit strikes, and the answer says so") {
     CHECK(tried(json, "submap")["outcome"] == "timed_out");
     CHECK(tried(json, "block")["outcome"] == "timed_out");
     CHECK_FALSE(tried(json, "split")["outcome"] == "not_tried");  // these are too many tetrahedra, too
+}
+
+TEST_CASE("mesh: solids are cut on demand, the tree shows the cuts, and the report has them") {
+    const std::string mesh = scratch_file("tee.vtu");
+    const std::string report = scratch_file("tee.json");
+    const ProgramRun run = run_program("mesh " + example("solids/pipe_tee.step") +
+                                       " --method decompose --explain --timeout 0 -o " + mesh + " --report " + report);
+    CAPTURE(run.err, run.out);
+    REQUIRE(run.code == 0);
+    CHECK(run.out.find("`- solid 1: decompose\n") != std::string::npos);
+    CHECK(run.out.find("`- decompose: valid mesh, taken (") != std::string::npos);
+    CHECK(run.out.find("- cut at a ") != std::string::npos);
+    CHECK(run.out.find("plane") != std::string::npos);
+    CHECK(run.out.find(" pieces, by ") != std::string::npos);
+    const auto json = json_of(report);
+    CHECK(json["options"]["method"] == "decompose");
+    CHECK(json["decisions"][0]["method"] == "decompose");
+    CHECK(json["decisions"][0]["tries"].size() == 1);
+    const auto details = tried(json, "decompose")["details"];
+    REQUIRE_FALSE(details["cuts"].empty());
+    CHECK(details["pieces"].size() > details["cuts"].size());
+    CHECK(details["cuts_tried"] >= details["cuts"].size());
+    CHECK(details["meshes_tried"] > 0);
+    std::size_t lines = 0;
+    for (std::size_t at = run.out.find("- cut at a "); at != std::string::npos;
+         at = run.out.find("- cut at a ", at + 1)) {
+        ++lines;
+    }
+    CHECK(lines == details["cuts"].size());
+    for (const auto& cut : details["cuts"]) {
+        CHECK(run.out.find("cut at a " + cut["reason"].get<std::string>()) != std::string::npos);
+        REQUIRE_FALSE(cut["surfaces"].empty());
+        for (const auto& surface : cut["surfaces"]) {
+            CHECK(std::set<std::string>{"plane", "half-plane", "cylinder"}.count(surface["kind"]) == 1);
+            CHECK(surface["point"].size() == 3);
+        }
+    }
+    const HexMeshData data = read_mesh(mesh);
+    CHECK(verify_hexes(data.mesh).ok());
+    CHECK(verify_hexes(data.mesh).boundary_quads == data.quads.size());
+    CHECK(std::set<int>(data.hex_groups.begin(), data.hex_groups.end()) == std::set<int>{1});
+    CHECK(json["mesh"]["quality"]["scaled_jacobian"]["min"].get<double>() >= 0.3);
+    CHECK(quads_that_look_inward(data) == 0);
+}
+
+TEST_CASE("mesh: --decompose off cuts nothing, and is not explained") {
+    for (const bool off : {false, true}) {
+        const std::string report = scratch_file("whole.json");
+        const ProgramRun run =
+            run_program("mesh " + example("mfcad/4-4-19.step") + " --size 2 --explain -o " + scratch_file("whole.vtu") +
+                        " --report " + report + (off ? " --decompose off" : " --decompose on"));
+        CAPTURE(run.err);
+        REQUIRE(run.code == 0);
+        const auto json = json_of(report);
+        CHECK(json["options"]["decompose"] == !off);
+        CHECK(tried(json, "decompose").is_null() == off);
+        CHECK((run.out.find("- decompose: not needed\n") == std::string::npos) == off);
+        CHECK((run.out.find("decompose") == std::string::npos) == off);
+        CHECK(run.out.find("- block: not needed\n") != std::string::npos);
+    }
+    const ProgramRun bad =
+        run_program("mesh " + example("mfcad/4-4-19.step") + " --decompose maybe -o " + scratch_file("whole.vtu"));
+    CHECK(bad.code == 2);
+    CHECK(bad.err.find("--decompose") != std::string::npos);
 }
 
 TEST_CASE("mesh: what nothing else meshes is split as the last resort, and says so; --no-split refuses it") {
@@ -300,7 +379,8 @@ TEST_CASE("mesh: one of several solids becomes blocks, the others do not notice"
     });
     const std::string mesh = scratch_file("block_and_box.vtu");
     const std::string report = scratch_file("block_and_box.json");
-    const ProgramRun run = run_program("mesh " + model + " --size 2 --quiet -o " + mesh + " --report " + report);
+    const ProgramRun run =
+        run_program("mesh " + model + " --size 2 --decompose off --quiet -o " + mesh + " --report " + report);
     CAPTURE(run.err);
     REQUIRE(run.code == 0);
     const auto json = json_of(report);

@@ -3,10 +3,12 @@
 #include <pavior/core/stop.hpp>
 #include <pavior/part/decide.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <stop_token>
 #include <thread>
+#include <vector>
 
 using namespace pavior;
 
@@ -43,12 +45,14 @@ TEST_CASE("The first good mesh ends the search, what follows is not needed") {
     Script script{{{PartMethod::sweep, {TryOutcome::mesh, 0.4}}}};
     const PartDecision decision = run(script, {});
     CHECK(script.asked == std::vector{PartMethod::submap, PartMethod::sweep});
-    CHECK(decision.tries.size() == 6);
+    CHECK(decision.tries.size() == 7);
     CHECK(decision.taken == 1);
     CHECK(decision.valid());
+    CHECK(decision.tries[4].method == PartMethod::decompose);
     CHECK(decision.tries[4].reason == "not needed");
-    CHECK(decision.tries[5].method == PartMethod::split);
-    CHECK(decision.tries[5].reason == "not needed");
+    CHECK(decision.tries[5].method == PartMethod::block);
+    CHECK(decision.tries[6].method == PartMethod::split);
+    CHECK(decision.tries[6].reason == "not needed");
 }
 
 TEST_CASE("Of poor meshes the best is taken and the others are dropped; an invalid one only for want of a valid one") {
@@ -81,12 +85,35 @@ TEST_CASE("What is sufficient, and which methods are tried in which order, can b
 
 TEST_CASE("Mixed is for several solids, unless it is asked for by itself") {
     Script script;
-    CHECK(run(script, {}, 1).tries.size() == 5);
+    CHECK(run(script, {}, 1).tries.size() == 6);
     PartOptions options;
     options.methods = {PartMethod::mixed};
     Script alone;
     (void)run(alone, options, 1);
     CHECK(alone.asked == options.methods);
+}
+
+TEST_CASE("Solids are cut after what takes them whole has failed, before blocks; or not at all") {
+    const std::vector whole{PartMethod::submap, PartMethod::sweep, PartMethod::multi_sweep, PartMethod::mixed};
+    std::vector expected = whole;
+    expected.push_back(PartMethod::decompose);
+    Script script{{{PartMethod::decompose, {TryOutcome::mesh, 0.4}}, {PartMethod::block, {TryOutcome::mesh, 0.6}}}};
+    PartOptions options;
+    const PartDecision decision = run(script, options);
+    CHECK(script.asked == expected);
+    REQUIRE(decision.taken);
+    CHECK(decision.tries[*decision.taken].method == PartMethod::decompose);
+    options.decompose = false;
+    Script without{script.outcomes};
+    const PartDecision blocks = run(without, options);
+    CHECK(std::count(without.asked.begin(), without.asked.end(), PartMethod::decompose) == 0);
+    CHECK(std::none_of(blocks.tries.begin(), blocks.tries.end(),
+                       [](const MethodTry& t) { return t.method == PartMethod::decompose; }));
+    CHECK(blocks.tries[*blocks.taken].method == PartMethod::block);
+    options.methods = {PartMethod::decompose};  // asked for by itself
+    Script named{script.outcomes};
+    CHECK(run(named, options, 1).taken == 0);
+    CHECK(named.asked == options.methods);
 }
 
 TEST_CASE("A method that others follow gets half of what is left, the last one all") {
@@ -111,10 +138,11 @@ TEST_CASE("The last resort is tried where nothing is valid, with a fifth of the 
     const PartDecision decision = run(script, options, 1);
     CHECK(decision.valid());
     CHECK(decision.tries[*decision.taken].method == PartMethod::split);
-    REQUIRE(script.asked.size() == 5);
+    REQUIRE(script.asked.size() == 6);
     CHECK(script.seconds[0] == Approx(20).epsilon(0.01));
-    CHECK(script.seconds[3] == Approx(40).epsilon(0.01));
-    CHECK(script.seconds[4] == Approx(50).epsilon(0.01));
+    CHECK(script.seconds[3] == Approx(20).epsilon(0.01));
+    CHECK(script.seconds[4] == Approx(40).epsilon(0.01));
+    CHECK(script.seconds[5] == Approx(50).epsilon(0.01));
     options.last_resort = false;
     Script without;
     CHECK_FALSE(run(without, options, 1).taken);
@@ -162,7 +190,7 @@ TEST_CASE("What others use up of the time, the last resort has nevertheless") {
     CHECK(decision.valid());
     CHECK(decision.out_of_time);
     CHECK(given == Approx(0.002));
-    CHECK(decision.tries.size() == 5);
+    CHECK(decision.tries.size() == 6);
 }
 
 TEST_CASE("When the time is over nothing more is tried, and the decision says so") {

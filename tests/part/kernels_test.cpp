@@ -1,11 +1,17 @@
 #include "support/archetypes.hpp"
 #include "support/catch.hpp"
+#include "support/test_brep.hpp"
 
 #include <pavior/part/kernels.hpp>
 
 #include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
 
 using namespace pavior;
+using namespace pavior::test;
 
 namespace {
 
@@ -36,4 +42,25 @@ TEST_CASE("Any callables make a bundle, those that cannot be copied by reference
     CHECK(solver.calls() == 1);
     CHECK_FALSE(kernels.describe);
     CHECK_FALSE(kernels.tets);
+    CHECK_FALSE(kernels.cut);
+    CHECK(kernels.other_references.empty());
+}
+
+TEST_CASE("A cutter of any model makes pieces that look alike") {
+    static_assert(solid_pieces<ModelPieces>);
+    static_assert(solid_cutter<SolidCutter, ModelPieces>);
+    TestBrep b;
+    add_prism(b, rectangle(1, 1), 0, 1);
+    std::size_t cuts = 0;
+    Kernels kernels;
+    kernels.cut = [&](std::span<const SolidCut> asked) -> std::optional<ModelPieces> {
+        cuts += asked.size();
+        return ModelPieces{std::make_shared<const AnyModel>(b), {SolidId{0}}, {}, [] { return std::vector<FaceId>{}; }};
+    };
+    const std::vector<SolidCut> two(2);
+    const std::optional<ModelPieces> pieces = kernels.cut(two);
+    REQUIRE(pieces);
+    CHECK(cuts == 2);
+    CHECK(pieces->model->face_count() == 6);
+    CHECK(pieces->identify().empty());
 }

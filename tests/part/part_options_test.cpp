@@ -6,13 +6,19 @@
 
 using namespace pavior;
 
-TEST_CASE("Methods have six different names, those of the command line") {
+TEST_CASE("Methods have seven different names, those of the command line") {
     std::set<std::string_view> names;
     for (const PartMethod method : {PartMethod::submap, PartMethod::sweep, PartMethod::multi_sweep, PartMethod::mixed,
-                                    PartMethod::block, PartMethod::split}) {
+                                    PartMethod::block, PartMethod::split, PartMethod::decompose}) {
         names.insert(to_string(method));
     }
-    CHECK(names == std::set<std::string_view>{"submap", "sweep", "multi-sweep", "mixed", "block", "split"});
+    CHECK(names ==
+          std::set<std::string_view>{"submap", "sweep", "multi-sweep", "mixed", "block", "split", "decompose"});
+}
+
+TEST_CASE("Solids are cut unless that is forbidden") {
+    CHECK(PartOptions{}.decompose);
+    CHECK(PartOptions{}.methods.empty());
 }
 
 TEST_CASE("Local lengths of any kind are local lengths") {

@@ -78,7 +78,7 @@ TEST_CASE("Other tetrahedra are taken where those before have no blocks, if face
     };
     const auto blocks = [&](const AnyModel& model, std::vector<ReferenceMesher> others, bool out_of_time) {
         asked.clear();
-        const Kernels kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, {}, fails(1), {}, {}, std::move(others)};
+        const Kernels kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, {}, fails(1), {}, {}, {}, std::move(others)};
         PartOptions options;
         options.size = model.diagonal() / 10;
         return try_method(PartMethod::block, model, solids, options, kernels,
@@ -116,7 +116,7 @@ TEST_CASE("A mesh that is made outlives the end of the time") {
         ++third;
         return works(solid, size, features);
     };
-    const Kernels kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, {}, works, {}, {}, {works_too_late, counts}};
+    const Kernels kernels{imprint, GlpkSolver{}, GmshRegionMesher{}, {}, works, {}, {}, {}, {works_too_late, counts}};
     PartOptions options;
     options.size = cylinder.diagonal() / 10;
     options.sufficient = 0.999;  // more than there is
@@ -134,7 +134,7 @@ TEST_CASE("A mesh that is made outlives the end of the time") {
         stop.request_stop();
         return works(solid, size, features);
     };
-    const Kernels stopping{imprint, GlpkSolver{}, GmshRegionMesher{}, {}, works, {}, {}, {stops}};
+    const Kernels stopping{imprint, GlpkSolver{}, GmshRegionMesher{}, {}, works, {}, {}, {}, {stops}};
     CHECK_THROWS_AS(
         try_method(PartMethod::block, cylinder, solids, options, stopping, {.out_of_time = [] { return false; }}),
         Stopped);

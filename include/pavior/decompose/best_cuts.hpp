@@ -36,11 +36,11 @@ template <solid_pieces P>
 struct CutState {
     std::vector<SolidCut> cuts;
     P pieces;
-    std::vector<PieceMethods> methods;  ///< by position in `solids`
-    std::vector<SolidId> solids;        ///< pieces of the solids asked for
+    std::vector<PieceMethods> methods = {};  ///< by position in `solids`
+    std::vector<SolidId> solids = {};        ///< pieces of the solids asked for
     double cost = 0;
     std::size_t order = 0;    ///< in which it was found
-    SolidId next;             ///< the piece to cut
+    SolidId next = {};        ///< the piece to cut
     std::size_t clashes = 0;  ///< pieces that touch and are swept many-to-many in different directions
 
     [[nodiscard]] bool complete() const {
@@ -182,9 +182,7 @@ private:
         if (!pieces) {
             return std::nullopt;
         }
-        State result;
-        result.cuts = std::move(cuts);
-        result.pieces = std::move(*pieces);
+        State result{std::move(cuts), std::move(*pieces)};
         result.order = result_.tried;
         for (std::size_t s = 0; s < result.pieces.solid.size(); ++s) {
             if (std::find(wanted_.begin(), wanted_.end(), result.pieces.solid[s]) != wanted_.end()) {
@@ -244,7 +242,7 @@ private:
     [[nodiscard]] SolidId worst_piece(const State& at) const {
         std::size_t worst = 0;
         const auto rank = [&](std::size_t i) {
-            return std::pair(cost(at.methods[i], options_.costs), at.pieces.model->solid_faces(at.solids[i]).size());
+            return std::pair(cost(at.methods[i], options_.costs), (*at.pieces.model).solid_faces(at.solids[i]).size());
         };
         for (std::size_t i = 1; i < at.solids.size(); ++i) {
             worst = rank(i) > rank(worst) ? i : worst;

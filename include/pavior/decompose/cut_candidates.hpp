@@ -148,10 +148,9 @@ private:
             return;
         }
         const auto same = [&](const CutCandidate& other) {
-            return other.surfaces.size() == surfaces.size() &&
-                   std::equal(
-                       surfaces.begin(), surfaces.end(), other.surfaces.begin(),
-                       [&](const CutSurface& x, const CutSurface& y) { return same_surface(x, y, 1e-5 * scale_); });
+            return std::is_permutation(
+                surfaces.begin(), surfaces.end(), other.surfaces.begin(), other.surfaces.end(),
+                [&](const CutSurface& x, const CutSurface& y) { return same_surface(x, y, 1e-5 * scale_); });
         };
         if (std::none_of(result_.begin(), result_.end(), same)) {
             result_.push_back({std::move(surfaces), reason});

@@ -24,6 +24,7 @@
 #include <new>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -167,7 +168,7 @@ inline void try_decompose(Trial& trial);
 
 inline void try_decompose(Trial& trial) {
     if (!trial.kernels.cut) {
-        throw Error(ErrorCode::cad_failure, "there is nothing to cut solids with");
+        throw std::logic_error("there is nothing to cut solids with");  // as any kernel that is not there
     }
     Kernels own_kernels = trial.kernels;
     own_kernels.describe = nullptr;
