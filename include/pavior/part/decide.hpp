@@ -16,7 +16,7 @@ using PartAttempt = std::function<MethodTry(PartMethod method, double seconds)>;
 
 /// Tries the methods of \p options in turn until one gives a valid mesh with a least scaled Jacobian of
 /// PartOptions::sufficient. Taken is the mesh with the greatest, a valid one before an invalid one, an earlier one
-/// among equals. mixed is left out for a single solid unless it is the only method named. A fifth of the time is kept
+/// among equals. mixed is left out for a single solid unless it is the only method named. A third of the time is kept
 /// for the last resort, whose mesh comes in the place of a valid one only if it is sufficient, or the other below a
 /// quarter of that.
 [[nodiscard]] PAVIOR_INLINE PartDecision decide(std::vector<SolidId> solids, const PartOptions& options,
