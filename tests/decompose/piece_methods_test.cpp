@@ -34,3 +34,13 @@ TEST_CASE("Costs are those that are asked for") {
     CHECK(cost({.sweep = true, .cusps = 3}, costs) == 30001);
     CHECK(cost({.leaning = 1, .cusps = 1}, costs) == 11101);
 }
+
+TEST_CASE("What meshing a piece by itself brings counts") {
+    CHECK_FALSE(PieceMethods{.submap = true, .quality = -1}.any());
+    CHECK(PieceMethods{.multi_sweep = true, .quality = 0.5}.only_multi_sweep());
+    CHECK_FALSE(PieceMethods{.sweep = true, .multi_sweep = true}.only_multi_sweep());
+    const double good = cost({.sweep = true, .quality = 0.5});
+    CHECK(good == cost({.sweep = true}));
+    CHECK(cost({.sweep = true, .quality = 0.1}) > good);
+    CHECK(cost({.sweep = true, .quality = -1}) > cost({.sweep = true, .quality = 0.1}));
+}

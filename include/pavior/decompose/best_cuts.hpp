@@ -141,7 +141,7 @@ private:
         std::map<FaceId, std::size_t> first;  // face: the first piece that has it
         for (std::size_t i = 0; i < at.solids.size(); ++i) {
             at.cost += cost(at.methods[i], options_.costs);
-            for (const OrientedFace& f : at.pieces.model->solid_faces(at.solids[i])) {
+            for (const OrientedFace& f : (*at.pieces.model).solid_faces(at.solids[i])) {
                 const auto [other, is_first] = first.emplace(f.face, i);
                 at.clashes += !is_first && clash(at.methods[other->second], at.methods[i]) ? 1 : 0;
             }

@@ -4,7 +4,6 @@
 
 #include <pavior/math/point.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -39,7 +38,7 @@ struct CutCosts {
 [[nodiscard]] inline double cost(const PieceMethods& piece, const CutCosts& costs = {}) {
     double result = costs.piece + costs.cusp * static_cast<double>(piece.cusps);
     if (!piece.any()) {
-        result += costs.refused + costs.leaning * static_cast<double>(std::max<std::size_t>(piece.leaning, 1));
+        result += costs.refused + costs.leaning * static_cast<double>(piece.leaning);
     } else {
         result += piece.submap || piece.sweep ? 0.0 : costs.multi_sweep;
         result += piece.quality < costs.sufficient ? costs.poor : 0.0;
