@@ -185,6 +185,19 @@ TEST_CASE("A tee gives sets of planes through its saddle, bounded by the line wh
     }
 }
 
+TEST_CASE("The planes of a junction come once, in whatever order they are found again") {
+    const GmshBrep finned = GmshBrep::build([] {  // the fin makes planes normal to z come first
+        const int run = occ::addCylinder(-5, 0, 0, 10, 0, 0, 2);
+        const int branch = occ::addCylinder(0, 0, 0, 0, 5, 0, 1);
+        const int fin = occ::addWedge(2.5, 1, -0.2, 1.2, 2.5, 0.4, -1, 0);
+        gmsh::vectorpair fused;
+        std::vector<gmsh::vectorpair> map;
+        occ::fuse({{3, run}}, {{3, branch}, {3, fin}}, fused, map);
+    });
+    const std::vector<CutCandidate> candidates = checked_candidates(finned, only);
+    CHECK(count_of(candidates, CutReason::junction) >= 1);
+}
+
 TEST_CASE("A block with a hole gives slabs and a cylinder round it, two holes a plane between them") {
     const GmshBrep block = GmshBrep::build([] {
         const int box = occ::addBox(0, 0, 0, 20, 20, 20);
