@@ -12,7 +12,6 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -69,7 +68,6 @@ public:
             return {};
         }
         root->next = worst_piece(*root);
-        root_cost_ = root->cost;
         open_.push_back(std::move(*root));
         while (!open_.empty() && !done()) {
             const auto best = std::min_element(open_.begin(), open_.end(), [](const State& x, const State& y) {
@@ -88,10 +86,7 @@ private:
                result_.meshed >= options_.max_meshes || hopeless() || out_of_time_();
     }
 
-    /// Many cuts have brought nothing nearer.
-    [[nodiscard]] bool hopeless() const {
-        return result_.tried >= options_.max_idle && result_.meshed == 0 && least_cost_ > root_cost_ - 0.5;
-    }
+    [[nodiscard]] bool hopeless() const { return result_.tried >= options_.max_idle && result_.meshed == 0; }
 
     /// Meshes each piece by itself that was not yet; which may change what is known of it.
     void mesh_pieces(State& at) {
@@ -116,7 +111,6 @@ private:
         if (at.complete() && at.clashes == 0 && !done()) {
             mesh(at);
         }
-        least_cost_ = std::min(least_cost_, at.cost);
         open_.push_back(std::move(at));
     }
 
@@ -259,7 +253,6 @@ private:
     PieceQuality& piece_quality_;
     std::vector<State> open_;
     std::map<std::vector<long long>, PieceMethods> known_;  ///< by signature()
-    double root_cost_ = 0, least_cost_ = std::numeric_limits<double>::infinity();
     CutSearch result_;
 };
 

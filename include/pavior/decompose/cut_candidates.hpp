@@ -40,6 +40,9 @@ public:
                     add_points(use.edge);
                 }
             }
+            for (const Vec2& uv : face_samples(b, f.face)) {  // inside a disc, too
+                points_.push_back(b.face_point(f.face, uv));
+            }
         }
         for (const Vec3& x : points_) {
             middle_ += x / static_cast<double>(points_.size());

@@ -26,8 +26,8 @@ struct PieceMethods {
 struct CutCosts {
     double piece = 0.06;       ///< each
     double multi_sweep = 0.2;  ///< a piece that neither submap nor sweep takes: neighbours must be given to it
-    double refused = 1.0;      ///< a piece that no method takes, and
-    double leaning = 0.35;     ///< for each face that is neither cap nor side
+    double refused = 0.3;      ///< a piece that no method takes, and
+    double leaning = 0.8;      ///< for each face that is neither cap nor side
     double cusp = 0.3;         ///< each
     double poor = 0.4;         ///< a piece whose own mesh has a quality below `sufficient`
     double sufficient = 0.2;
