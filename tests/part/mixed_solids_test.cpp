@@ -11,6 +11,7 @@
 #include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/cad/region_quads.hpp>
 #include <pavior/imprint/imprint.hpp>
+#include <pavior/mesh/near_nodes.hpp>
 #include <pavior/mesh/verify_hexes.hpp>
 
 #include <iostream>
@@ -87,12 +88,81 @@ TEST_CASE("a plate with a blind hole, a stepped block, a bracket and a cone: eac
     CHECK(again.mesh.hexes == mesh.mesh.hexes);
 }
 
-TEST_CASE("many-to-many sweeps of different directions that touch are refused with the faces named") {
+namespace {
+
+/// A box with a blind hole from \p at along \p axis.
+int drilled(const Vec3& low, const Vec3& size, const Vec3& at, const Vec3& axis, double radius) {
+    return cut(occ::addBox(low[0], low[1], low[2], size[0], size[1], size[2]),
+               {{3, occ::addCylinder(at[0], at[1], at[2], axis[0], axis[1], axis[2], radius)}});
+}
+
+/// A valid, conforming mesh of all solids, each of them swept many-to-many; its least scaled Jacobian.
+double check_many(const GmshBrep& model, double size) {
+    const MixedSolids mesh = meshed(model, size);
+    for (const auto& [solid, method] : mesh.methods) {
+        CHECK(method == PartMethod::multi_sweep);
+    }
+    CHECK(mesh.methods.size() == model.solid_count());
+    const HexReport report = verify_hexes(mesh.mesh);
+    INFO(report.text());
+    CHECK(report.ok());
+    CHECK(report.volume == Approx(volume_of(model)).epsilon(0.02));
+    CHECK(face_distance(model, mesh.mesh.nodes, mesh.quads, mesh.quad_face).distance < 1e-6);
+    CHECK(near_nodes(mesh.mesh, 1e-3 * size).empty());  // joined wherever they touch
+    CHECK(std::set<FaceId>(mesh.quad_face.begin(), mesh.quad_face.end()).size() == model.face_count());
+    CHECK(mesh.quads.size() > report.boundary_quads);
+    const double quality = hex_quality(mesh.mesh).scaled_jacobian.min;
+    CHECK(quality > 0.2);
+    return quality;
+}
+
+}  // namespace
+
+TEST_CASE("many-to-many sweeps of different directions share the grid on a side of both") {
+    const double depth = GENERATE(1.0, 1.2, 2.9);
+    const GmshBrep model = GmshBrep::build([&] {
+        share_faces(
+            {{3, plate_with_blind_hole()}, {3, drilled({6, 0, 0}, {3, 6, 2}, {7.5, 0, 1}, {0, depth, 0}, 0.6)}});
+    });
+    std::cerr << "sides, depth " << depth << ": " << check_many(model, 0.5) << "\n";
+}
+
+TEST_CASE("a cap takes the grid of the side that it lies on") {
+    const GmshBrep model = GmshBrep::build([] {
+        share_faces({{3, drilled({6, 0, 0}, {3, 12, 2}, {9, 9, 1}, {-1.3, 0, 0}, 0.6)}, {3, plate_with_blind_hole()}});
+    });
+    std::cerr << "cap on side: " << check_many(model, 0.5) << "\n";
+}
+
+TEST_CASE("three directions round an edge, two solids that meet in an edge alone") {
+    const GmshBrep model = GmshBrep::build([] {
+        share_faces({{3, drilled({0, 0, 0}, {4, 4, 3}, {2, 2, 3}, {0, 0, -1.1}, 0.9)},
+                     {3, drilled({4, 0, 0}, {3, 4, 3}, {5.5, 0, 1.5}, {0, 1.3, 0}, 0.7)},
+                     {3, drilled({0, 4, 0}, {4, 3.3, 3}, {0, 5.5, 1.4}, {1.7, 0, 0}, 0.6)}});
+    });
+    std::cerr << "three directions: " << check_many(model, 0.5) << "\n";
+    const GmshBrep edge = GmshBrep::build([] {
+        share_faces({{3, drilled({0, 0, 0}, {4, 4, 3}, {2, 2, 3}, {0, 0, -1.1}, 0.9)},
+                     {3, drilled({4, 4, 0}, {3, 4, 3}, {7, 6, 1.5}, {-1.2, 0, 0}, 0.7)}});
+    });
+    std::cerr << "at an edge: " << check_many(edge, 0.5) << "\n";
+}
+
+TEST_CASE("a side that is no rectangle, with edges where the neighbour has none") {
+    const GmshBrep model = GmshBrep::build([] {
+        const int slotted = cut(plate_with_blind_hole(), {{3, occ::addBox(5, 4.2, 1.2, 2, 1.1, 2)}});
+        share_faces({{3, slotted}, {3, drilled({6, 0, 0}, {3, 6, 2}, {7.5, 0, 1}, {0, 1.2, 0}, 0.6)}});
+    });
+    std::cerr << "slotted side: " << check_many(model, 0.5) << "\n";
+}
+
+TEST_CASE("many-to-many sweeps whose meshes cannot agree are refused, solids and faces named") {
     const GmshBrep model = GmshBrep::build([] {
         const int other = cut(occ::addBox(6, 0, 0, 3, 6, 2), {{3, occ::addCylinder(8, 3, 1, 1, 0, 0, 0.6)}});
         share_faces({{3, plate_with_blind_hole()}, {3, other}});
     });
-    CHECK_THROWS_WITH(meshed(model, 0.5), Catch::Contains("no direction") && Catch::Contains("face "));
+    CHECK_THROWS_WITH(meshed(model, 0.5), Catch::Contains("solids 1 and 2, which") && Catch::Contains("no direction") &&
+                                              Catch::Contains("face ") && Catch::Contains("one by one: solid "));
 }
 
 TEST_CASE("solids that stay apart are meshed one by one, a solid that nothing meshes is named") {
