@@ -51,6 +51,13 @@ namespace detail {
     return result;
 }
 
+/// Curve \p c runs through \p vertex of the arrangement, or ends there.
+[[nodiscard]] inline bool passes(const PlaneArrangement& plane, Index c, Index vertex) {
+    return std::any_of(plane.routes[c].begin(), plane.routes[c].end(), [&](const OrientedPlaneEdge& use) {
+        return plane.edges[use.edge].vertices[0] == vertex || plane.edges[use.edge].vertices[1] == vertex;
+    });
+}
+
 /// Curves between neighbouring given nodes that shrank to a point, or that another curve cuts.
 [[nodiscard]] inline StackResult check_given(const ExtrudedBody& body, const PlaneArrangement& plane) {
     StackResult result;
@@ -68,10 +75,11 @@ namespace detail {
         } else {
             const PlaneEdge& first = plane.edges[plane.routes[c][0].edge];
             const Index at_vertex = first.vertices[plane.routes[c][0].forward ? 1 : 0];
-            result.fault += "has no node where another edge ends";
+            result.fault += "has no node where it meets, seen along the direction,";
             for (Index k = 0; k < body.curves.size(); ++k) {
-                if (!body.curves[k].given && (plane.ends[k][0] == at_vertex || plane.ends[k][1] == at_vertex)) {
-                    result.fault += ", edge " + std::to_string(body.curves[k].tag);
+                if (!body.curves[k].given && passes(plane, k, at_vertex)) {
+                    result.fault += " edge " + std::to_string(body.curves[k].tag);
+                    break;
                 }
             }
         }

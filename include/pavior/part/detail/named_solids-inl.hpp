@@ -1,8 +1,8 @@
 #pragma once
 
 #include <pavior/brep/all_tags.hpp>
-#include <pavior/lattice/submap_topology.hpp>
 #include <pavior/part/detail/named_solids.hpp>
+#include <pavior/submap/submap_recognition.hpp>
 
 #include <algorithm>
 #include <set>
