@@ -215,8 +215,8 @@ public:
         return b_.face_derivatives(f, uv);
     }
     [[nodiscard]] Vec2 closest_on_face(FaceId f, const Vec3& x) const {
-        const std::span<const FaceId> all = parts(f);
-        return all.empty() ? b_.closest_on_face(f, x) : detail::closest_on_surface(b_, f, x, all);
+        const auto at = groups_.find(f);
+        return at == groups_.end() ? b_.closest_on_face(f, x) : closest_in(at->second, f, x);
     }
     [[nodiscard]] Vec2 edge_on_face(EdgeId e, double t, FaceId f, bool forward) const {
         const auto at = groups_.find(f);
@@ -260,7 +260,23 @@ private:
         std::vector<EdgeLoop> loops;
         std::vector<EdgeId> own;                               ///< edges of the first face, ascending
         std::vector<std::vector<std::vector<Vec2>>> outlines;  ///< loops of each face in the parameters of the first
+        std::vector<std::pair<Vec3, Vec2>> anchors;            ///< points of the outlines, with parameters
+        double size = 0;                                       ///< diagonal of the box round the anchors
     };
+
+    /// From the nearest anchor on: projections of points beyond the first face are slow or end at its boundary.
+    [[nodiscard]] Vec2 closest_in(const Group& group, FaceId f, const Vec3& x) const {
+        const auto nearer = [&](const auto& p, const auto& q) {
+            return (p.first - x).squaredNorm() < (q.first - x).squaredNorm();
+        };
+        const auto anchor = std::min_element(group.anchors.begin(), group.anchors.end(), nearer);
+        const std::optional<SurfaceFoot> foot = surface_foot(b_, f, x, anchor->second, 1e-10 * group.size);
+        if (foot && foot->distance <= 0.05 * group.size) {
+            return foot->uv;
+        }
+        const Vec2 uv = detail::closest_on_surface(b_, f, x, group.faces);
+        return foot && foot->distance < (b_.face_point(f, uv) - x).norm() ? foot->uv : uv;
+    }
 
     /// Loops in the parameters of the first of \p faces, which are one, as polygons.
     [[nodiscard]] std::vector<std::vector<Vec2>> polygons(std::span<const FaceId> faces,
@@ -318,7 +334,7 @@ private:
     }
 
     void join(const detail::FaceJoiner<B>& joiner, const std::vector<FaceId>& faces) {
-        Group group{faces, {}, {}, {}};
+        Group group{faces, {}, {}, {}, {}, 0};
         std::vector<EdgeLoop> loops;
         for (const FaceId f : faces) {
             const std::span<const EdgeLoop> own = b_.face_loops(f);
@@ -357,6 +373,16 @@ private:
             first_[f] = faces.front();
             group.outlines.push_back(polygons(faces, b_.face_loops(f)));
         }
+        Box<Vec3> box;
+        for (const auto& outline : group.outlines) {
+            for (const std::vector<Vec2>& polygon : outline) {
+                for (const Vec2& uv : polygon) {
+                    group.anchors.emplace_back(b_.face_point(faces.front(), uv), uv);
+                    box.add(group.anchors.back().first);
+                }
+            }
+        }
+        group.size = box.diagonal();
         groups_[faces.front()] = std::move(group);
     }
 

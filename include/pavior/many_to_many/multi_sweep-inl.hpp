@@ -58,36 +58,50 @@ namespace detail {
     });
 }
 
+/// What is wrong with the given curve \p c, which is not one edge of the arrangement.
+[[nodiscard]] inline std::string given_fault(const ExtrudedBody& body, const PlaneArrangement& plane, Index c) {
+    if (plane.routes[c].empty()) {
+        return "has nodes within the tolerance of each other";
+    }
+    const OrientedPlaneEdge& first = plane.routes[c][0];
+    const Index cut = plane.edges[first.edge].vertices[first.forward ? 1 : 0];
+    for (Index k = 0; k < body.curves.size(); ++k) {
+        if (!body.curves[k].given && passes(plane, k, cut)) {
+            return "has no node where it meets, seen along the direction, edge " + std::to_string(body.curves[k].tag);
+        }
+    }
+    return "and that of another, seen along the direction, have different nodes";
+}
+
 /// Curves between neighbouring given nodes that shrank to a point, or that another curve cuts.
 [[nodiscard]] inline StackResult check_given(const ExtrudedBody& body, const PlaneArrangement& plane) {
-    StackResult result;
-    for (Index c = 0; c < body.curves.size() && result.fault.empty(); ++c) {
+    for (Index c = 0; c < body.curves.size(); ++c) {
         const ExtrudedCurve& curve = body.curves[c];
         if (!curve.given || plane.routes[c].size() == 1) {
             continue;
         }
         const std::string at =
             curve.face != 0 ? "face " + std::to_string(curve.face) : "edge " + std::to_string(curve.tag);
-        result.fault = at + ": the mesh that a neighbour gives there ";
+        StackResult result;
+        result.fault = at + ": the mesh that a neighbour gives there " + given_fault(body, plane, c);
         result.curves = {c};
-        if (plane.routes[c].empty()) {
-            result.fault += "has nodes within the tolerance of each other";
-        } else {
-            const PlaneEdge& first = plane.edges[plane.routes[c][0].edge];
-            const Index at_vertex = first.vertices[plane.routes[c][0].forward ? 1 : 0];
-            result.fault += "has no node where it meets, seen along the direction,";
-            for (Index k = 0; k < body.curves.size(); ++k) {
-                if (!body.curves[k].given && passes(plane, k, at_vertex)) {
-                    result.fault += " edge " + std::to_string(body.curves[k].tag);
-                    break;
-                }
+        const auto add = [&](const std::vector<Index>& curves, int tag) {
+            if (std::find(curves.begin(), curves.end(), c) != curves.end()) {
+                result.tags.push_back(tag);
             }
+        };
+        for (const ExtrudedCap& cap : body.caps) {
+            add(cap.curves, cap.tag);
         }
-        if (curve.face != 0) {
-            result.tags = {curve.face};
+        for (const ExtrudedSide& side : body.sides) {
+            add(side.curves, side.tag);
         }
+        if (result.tags.empty()) {
+            result.tags.push_back(curve.face);
+        }
+        return result;
     }
-    return result;
+    return {};
 }
 
 [[nodiscard]] inline double height_range(const ExtrudedBody& body) {
