@@ -1,3 +1,4 @@
+#include <pavior/brep/detail/face_joiner.hpp>
 #include <pavior/brep/joined_faces.hpp>
 
 #include "support/catch.hpp"
@@ -93,4 +94,21 @@ TEST_CASE("faces that close round, that meet at an angle, or whose edge a neighb
     });
     REQUIRE(stands.solid_count() == 2);
     CHECK_FALSE(JoinedFaces<GmshBrep>(stands).any());
+}
+
+TEST_CASE("faces go on in each other or not, and whoever asks is answered the same") {
+    const GmshBrep model = GmshBrep::build([] {
+        with_lines(occ::addBox(0, 0, 0, 6, 4, 2), {{Vec3(2, 0, 2), Vec3(2, 4, 2)}});
+    });
+    const detail::FaceJoiner<GmshBrep> joiner(model);
+    std::size_t joints = 0;
+    const std::span<const OrientedFace> faces = model.solid_faces(SolidId{0});
+    for (const OrientedFace& f : faces) {
+        for (const OrientedFace& g : faces) {
+            const detail::Joint joint = joiner.joint(f.face, g.face);
+            CHECK(joint == joiner.joint(g.face, f.face));
+            joints += f.face != g.face && joint != detail::Joint::none ? 1U : 0U;
+        }
+    }
+    CHECK(joints == 2);
 }

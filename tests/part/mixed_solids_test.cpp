@@ -263,7 +263,7 @@ TEST_CASE("a cap that a line splits is one: a cone with a hole, on a plate") {
                      {1, occ::addLine(occ::addPoint(3, 1.6, 4), occ::addPoint(3, 2.2, 4))}});
     });
     REQUIRE(model.solid_count() == 2);
-    const double quality = check_mixed(model, 0.4, {PartMethod::sweep, PartMethod::sweep});
+    const double quality = check_mixed(model, 0.4, {PartMethod::sweep, PartMethod::multi_sweep});
     std::cerr << "cone with a split cap: " << quality << "\n";
     CHECK(quality > 0.2);
 }

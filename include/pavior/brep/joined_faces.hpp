@@ -5,10 +5,10 @@
 
 #include <pavior/brep/all_tags.hpp>
 #include <pavior/brep/brep.hpp>
+#include <pavior/brep/detail/face_joiner.hpp>
 #include <pavior/brep/seamless.hpp>
 #include <pavior/brep/surface_foot.hpp>
 #include <pavior/core/compiled.hpp>
-#include <pavior/core/disjoint_sets.hpp>
 #include <pavior/math/box.hpp>
 #include <pavior/sweep/unwrap.hpp>
 
@@ -31,127 +31,6 @@ namespace detail {
 
 /// Loops run the other way round.
 [[nodiscard]] PAVIOR_INLINE std::vector<EdgeLoop> turned_loops(std::span<const EdgeLoop> loops);
-
-/// Parameters of the point of the surface of \p face next to \p x, also beyond the face, where closest_on_face() may
-/// end: they may be those of one of \p others, faces on the same surface.
-template <brep B>
-[[nodiscard]] Vec2 closest_on_surface(const B& b, FaceId face, const Vec3& x, std::span<const FaceId> others = {}) {
-    const auto off = [&](const Vec2& uv) { return (b.face_point(face, uv) - x).norm(); };
-    Vec2 best = b.closest_on_face(face, x);
-    double least = off(best);
-    for (const FaceId other : others) {
-        const Vec2 uv = other == face ? best : b.closest_on_face(other, x);
-        if (const double own = off(uv); own < least) {
-            least = own;
-            best = uv;
-        }
-    }
-    const std::optional<SurfaceFoot> foot = least > 0 ? surface_foot(b, face, x, best, 1e-8 * least) : std::nullopt;
-    return foot && foot->distance < least ? foot->uv : best;
-}
-
-/// The joints of faces of a model: which pairs go on in each other.
-template <brep B>
-class FaceJoiner {
-public:
-    explicit FaceJoiner(const B& b) : b_(b), owners_(b.face_count()), faces_(b.edge_count()), sets_(b.face_count()) {
-        for (std::int32_t s = 0; s < static_cast<std::int32_t>(b.solid_count()); ++s) {
-            for (const OrientedFace& f : b.solid_faces(SolidId{s})) {
-                owners_[f.face.index()].emplace_back(SolidId{s}, f.outward);
-            }
-        }
-        for (std::int32_t f = 0; f < static_cast<std::int32_t>(b.face_count()); ++f) {
-            for (const EdgeLoop& loop : b.face_loops(FaceId{f})) {
-                for (const OrientedEdge& use : loop) {
-                    faces_[use.edge.index()].push_back(FaceId{f});
-                }
-            }
-        }
-        for (const std::vector<FaceId>& pair : faces_) {
-            if (pair.size() == 2 && pair[0] != pair[1] && !sets_.same(pair[0].index(), pair[1].index()) &&
-                joint(pair[0], pair[1])) {
-                sets_.unite(pair[0].index(), pair[1].index());
-            }
-        }
-    }
-
-    /// The faces that are one, two or more each, ascending.
-    [[nodiscard]] std::vector<std::vector<FaceId>> groups() {
-        std::vector<std::vector<FaceId>> result(b_.face_count());
-        for (std::size_t f = 0; f < result.size(); ++f) {
-            result[sets_.root(f)].push_back(FaceId{static_cast<std::int32_t>(f)});
-        }
-        std::erase_if(result, [](const auto& group) { return group.size() < 2; });
-        return result;
-    }
-
-    /// The normals of two faces on one surface point the same way.
-    [[nodiscard]] bool same_sense(FaceId f, FaceId g) const {
-        const Vec3 x = samples(g).front();
-        return normal(f, x, g).dot(normal(g, x, g)) > 0;
-    }
-
-    /// Points on the edges of a face.
-    [[nodiscard]] std::vector<Vec3> samples(FaceId f) const {
-        std::vector<Vec3> result;
-        for (const EdgeLoop& loop : b_.face_loops(f)) {
-            for (const OrientedEdge& use : loop) {
-                const auto range = b_.edge_range(use.edge);
-                for (const double part : {0.0, 0.27, 0.5, 0.81}) {
-                    result.push_back(b_.edge_point(use.edge, range[0] + part * (range[1] - range[0])));
-                }
-            }
-        }
-        const std::size_t n = result.size();
-        for (std::size_t i = 0; i < n; i += 3) {  // and some inside
-            const Vec2 uv = closest_on_surface(b_, f, 0.5 * (result[i] + result[(i + n / 2) % n]));
-            result.push_back(b_.face_point(f, uv));
-        }
-        return result;
-    }
-
-private:
-    /// Of the surface of \p f at \p x, a point of \p g.
-    [[nodiscard]] Vec3 normal(FaceId f, const Vec3& x, FaceId g) const {
-        const auto [du, dv] = b_.face_derivatives(f, closest_on_surface(b_, f, x, std::array{g}));
-        return du.cross(dv).stableNormalized();
-    }
-
-    /// All of \p g lies on the surface of \p f, with the same normals but for one sign.
-    [[nodiscard]] bool continues(FaceId f, FaceId g) const {
-        Box<Vec3> box;
-        const std::vector<Vec3> points = samples(g);
-        for (const Vec3& x : points) {
-            box.add(x);
-        }
-        std::optional<bool> along;
-        return std::all_of(points.begin(), points.end(), [&](const Vec3& x) {
-            const double cosine = normal(f, x, g).dot(normal(g, x, g));
-            along = along.value_or(cosine > 0);
-            return (b_.face_point(f, closest_on_surface(b_, f, x, std::array{g})) - x).norm() <=
-                       1e-7 * box.diagonal() &&
-                   (*along ? cosine : -cosine) > 1 - 1e-7;
-        });
-    }
-
-    [[nodiscard]] bool joint(FaceId f, FaceId g) const {
-        const auto& of_f = owners_[f.index()];
-        const auto& of_g = owners_[g.index()];
-        if (of_f.empty() || of_f.size() != of_g.size() || has_seam(b_, f) || has_seam(b_, g) || !continues(f, g) ||
-            !continues(g, f)) {
-            return false;
-        }
-        const bool same = same_sense(f, g);
-        return std::all_of(of_f.begin(), of_f.end(), [&](const auto& owner) {
-            return std::find(of_g.begin(), of_g.end(), std::pair(owner.first, owner.second == same)) != of_g.end();
-        });
-    }
-
-    const B& b_;
-    std::vector<std::vector<std::pair<SolidId, bool>>> owners_;  ///< of each face
-    std::vector<std::vector<FaceId>> faces_;                     ///< at each edge, one entry a use
-    DisjointSets<std::size_t> sets_;
-};
 
 }  // namespace detail
 
@@ -260,46 +139,66 @@ private:
         std::vector<EdgeLoop> loops;
         std::vector<EdgeId> own;                               ///< edges of the first face, ascending
         std::vector<std::vector<std::vector<Vec2>>> outlines;  ///< loops of each face in the parameters of the first
-        std::vector<std::pair<Vec3, Vec2>> anchors;            ///< points of the outlines, with parameters
+        std::vector<detail::SurfacePoint> anchors;             ///< points of the outlines
         double size = 0;                                       ///< diagonal of the box round the anchors
     };
 
     /// From the nearest anchor on: projections of points beyond the first face are slow or end at its boundary.
     [[nodiscard]] Vec2 closest_in(const Group& group, FaceId f, const Vec3& x) const {
-        const auto nearer = [&](const auto& p, const auto& q) {
-            return (p.first - x).squaredNorm() < (q.first - x).squaredNorm();
-        };
-        const auto anchor = std::min_element(group.anchors.begin(), group.anchors.end(), nearer);
-        const std::optional<SurfaceFoot> foot = surface_foot(b_, f, x, anchor->second, 1e-10 * group.size);
+        const auto anchor = std::min_element(group.anchors.begin(), group.anchors.end(),
+                                             [&](const detail::SurfacePoint& p, const detail::SurfacePoint& q) {
+                                                 return (p.x - x).squaredNorm() < (q.x - x).squaredNorm();
+                                             });
+        const std::optional<SurfaceFoot> foot = surface_foot(b_, f, x, anchor->uv, 1e-10 * group.size);
         if (foot && foot->distance <= 0.05 * group.size) {
             return foot->uv;
         }
-        const Vec2 uv = detail::closest_on_surface(b_, f, x, group.faces);
+        const Vec2 uv = b_.closest_on_face(f, x);
         return foot && foot->distance < (b_.face_point(f, uv) - x).norm() ? foot->uv : uv;
     }
 
-    /// Loops in the parameters of the first of \p faces, which are one, as polygons.
-    [[nodiscard]] std::vector<std::vector<Vec2>> polygons(std::span<const FaceId> faces,
-                                                          std::span<const EdgeLoop> loops) const {
+    /// Loops of \p part, in the parameters of \p face, as polygons; empty if its surface is another.
+    [[nodiscard]] std::vector<std::vector<Vec2>> outline(FaceId face, std::span<const detail::SurfacePoint> own,
+                                                         FaceId part, double tolerance) const {
         constexpr int steps = 8;
-        const Periods periods = b_.face_period(faces.front());
+        const Periods periods = b_.face_period(face);
         std::vector<std::vector<Vec2>> result;
-        for (const EdgeLoop& loop : loops) {
+        for (const EdgeLoop& loop : b_.face_loops(part)) {
             std::vector<Vec2> polygon;
             for (const OrientedEdge& use : loop) {
                 const auto range = b_.edge_range(use.edge);
                 for (int i = 0; i < steps; ++i) {
-                    const double part = static_cast<double>(use.forward ? i : steps - i) / steps;
-                    Vec2 uv = detail::closest_on_surface(
-                        b_, faces.front(), b_.edge_point(use.edge, range[0] + part * (range[1] - range[0])), faces);
-                    const Vec2 reference = polygon.empty() ? uv : polygon.back();
-                    uv += nearest_image_shift(uv, reference, periods);
-                    polygon.push_back(uv);
+                    const double at = static_cast<double>(use.forward ? i : steps - i) / steps;
+                    const double t = range[0] + at * (range[1] - range[0]);
+                    const std::optional<Vec2> uv = detail::on_surface(
+                        b_, face, own, {b_.edge_point(use.edge, t), b_.edge_on_face(use.edge, t, part, use.forward)},
+                        tolerance);
+                    if (!uv) {
+                        return {};
+                    }
+                    const Vec2 near = polygon.empty() ? *uv : polygon.back();
+                    polygon.emplace_back(*uv + nearest_image_shift(*uv, near, periods));
                 }
             }
             result.push_back(std::move(polygon));
         }
         return result;
+    }
+
+    /// A loop of \p face as a polygon in its parameters.
+    [[nodiscard]] std::vector<Vec2> polygon_of(const Group& group, FaceId face, const EdgeLoop& loop) const {
+        constexpr int steps = 8;
+        const Periods periods = b_.face_period(face);
+        std::vector<Vec2> polygon;
+        for (const OrientedEdge& use : loop) {
+            const auto range = b_.edge_range(use.edge);
+            for (int i = 0; i < steps; ++i) {
+                const double at = static_cast<double>(use.forward ? i : steps - i) / steps;
+                const Vec2 uv = closest_in(group, face, b_.edge_point(use.edge, range[0] + at * (range[1] - range[0])));
+                polygon.emplace_back(uv + nearest_image_shift(uv, polygon.empty() ? uv : polygon.back(), periods));
+            }
+        }
+        return polygon;
     }
 
     /// The angle by which an outline winds round \p x, in the parameters of \p face.
@@ -320,8 +219,7 @@ private:
 
     /// Twice the area of a polygon, 0 if it does not close because it runs round a period.
     [[nodiscard]] static double area(const std::vector<Vec2>& polygon, const Periods& periods) {
-        const Vec2 last = polygon.front() + nearest_image_shift(polygon.front(), polygon.back(), periods);
-        if ((last - polygon.front()).norm() > 0) {
+        if (nearest_image_shift(polygon.front(), polygon.back(), periods).norm() > 0) {
             return 0;
         }
         double twice = 0;
@@ -334,56 +232,71 @@ private:
     }
 
     void join(const detail::FaceJoiner<B>& joiner, const std::vector<FaceId>& faces) {
+        const FaceId first = faces.front();
         Group group{faces, {}, {}, {}, {}, 0};
         std::vector<EdgeLoop> loops;
+        std::set<FaceId> turned;
         for (const FaceId f : faces) {
-            const std::span<const EdgeLoop> own = b_.face_loops(f);
-            if (joiner.same_sense(faces.front(), f)) {
-                loops.insert(loops.end(), own.begin(), own.end());
-            } else {
-                const std::vector<EdgeLoop> turned = detail::turned_loops(own);
-                loops.insert(loops.end(), turned.begin(), turned.end());
-                turned_.insert(f);
+            const detail::Joint joint = f == first ? detail::Joint::same : joiner.joint(first, f);
+            std::vector<EdgeLoop> own(b_.face_loops(f).begin(), b_.face_loops(f).end());
+            if (joint == detail::Joint::turned) {
+                own = detail::turned_loops(own);
+                turned.insert(f);
             }
+            if (joint == detail::Joint::none || !add_outline(f, group)) {
+                return;
+            }
+            loops.insert(loops.end(), own.begin(), own.end());
         }
-        for (const EdgeLoop& loop : b_.face_loops(faces.front())) {
+        for (const EdgeLoop& loop : b_.face_loops(first)) {
             for (const OrientedEdge& use : loop) {
                 group.own.push_back(use.edge);
             }
         }
         std::sort(group.own.begin(), group.own.end());
-        group.loops = seamless_loops(loops);
-        const Periods periods = b_.face_period(faces.front());
-        std::vector<std::pair<double, std::size_t>> order;
-        const auto polygons_of = polygons(faces, group.loops);
-        for (std::size_t l = 0; l < polygons_of.size(); ++l) {
-            order.emplace_back(-std::abs(area(polygons_of[l], periods)), l);
-        }
-        std::sort(order.begin(), order.end());
-        if (group.loops.empty() ||
-            std::any_of(order.begin(), order.end(), [](const auto& entry) { return entry.first == 0; })) {
+        if (!set_loops(seamless_loops(loops), group)) {
             return;
         }
-        std::vector<EdgeLoop> sorted;
-        for (const auto& [size, l] : order) {
-            sorted.push_back(std::move(group.loops[l]));
-        }
-        group.loops = std::move(sorted);
         for (const FaceId f : faces) {
-            first_[f] = faces.front();
-            group.outlines.push_back(polygons(faces, b_.face_loops(f)));
+            first_[f] = first;
         }
+        turned_.insert(turned.begin(), turned.end());
+        groups_[first] = std::move(group);
+    }
+
+    /// Adds the outline of \p f and its points; false if it is not on the surface of the first face of the group.
+    bool add_outline(FaceId f, Group& group) const {
+        const FaceId first = group.faces.front();
+        const std::vector<detail::SurfacePoint> own = detail::surface_points(b_, first);
         Box<Vec3> box;
-        for (const auto& outline : group.outlines) {
-            for (const std::vector<Vec2>& polygon : outline) {
-                for (const Vec2& uv : polygon) {
-                    group.anchors.emplace_back(b_.face_point(faces.front(), uv), uv);
-                    box.add(group.anchors.back().first);
-                }
+        for (const detail::SurfacePoint& p : own) {
+            box.add(p.x);
+        }
+        group.outlines.push_back(outline(first, own, f, 1e-6 * box.diagonal()));
+        for (const std::vector<Vec2>& polygon : group.outlines.back()) {
+            for (const Vec2& uv : polygon) {
+                group.anchors.push_back({b_.face_point(first, uv), uv});
             }
         }
-        group.size = box.diagonal();
-        groups_[faces.front()] = std::move(group);
+        group.size = std::max(group.size, box.diagonal());
+        return !group.outlines.back().empty();
+    }
+
+    /// Sets the loops of the whole, the outer one first; false if there is none, or one runs round a period.
+    [[nodiscard]] bool set_loops(std::vector<EdgeLoop> loops, Group& group) const {
+        const Periods periods = b_.face_period(group.faces.front());
+        std::vector<std::pair<double, std::size_t>> order;
+        for (std::size_t l = 0; l < loops.size(); ++l) {
+            order.emplace_back(-std::abs(area(polygon_of(group, group.faces.front(), loops[l]), periods)), l);
+        }
+        std::sort(order.begin(), order.end());
+        for (const auto& [size, l] : order) {
+            if (size == 0) {
+                return false;
+            }
+            group.loops.push_back(std::move(loops[l]));
+        }
+        return !loops.empty();
     }
 
     const B& b_;

@@ -400,8 +400,12 @@ public:
         }
     }
 
-    /// \throws UnmeshableError the first refusal if there is no mesh
+    /// \throws UnmeshableError the first refusal if there is no mesh, but rather Error cad_failure, which another size
+    /// may help
     [[nodiscard]] MixedSolids take() && {
+        if (!best_ && failure_) {
+            throw *failure_;
+        }
         if (!best_) {
             throw *refusal_;
         }
@@ -420,6 +424,11 @@ private:
             }
         } catch (const UnmeshableError& error) {
             refusal_ = refusal_ ? refusal_ : error;
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::cad_failure || !(best_ || refusal_)) {
+                throw;
+            }
+            failure_ = failure_ ? failure_ : error;
         }
     }
 
@@ -428,6 +437,7 @@ private:
     const std::function<bool()>& out_of_time_;
     std::optional<MixedSolids> best_;
     std::optional<UnmeshableError> refusal_;
+    std::optional<Error> failure_;  ///< of the CAD kernel
     bool valid_ = false;
 };
 
