@@ -169,6 +169,52 @@ TEST_CASE("edges of other levels meet a shared side from both solids: each takes
     std::cerr << "cut on both sides: " << check_many(model, 0.5) << "\n";
 }
 
+namespace {
+
+/// Boxes round a corner, or in a row, each with a blind hole in a direction in which no neighbour lies.
+void make_crossing(unsigned seed) {
+    Dice dice(seed);
+    const bool corner = dice.whole(0, 1) == 0;
+    const std::vector<Vec3> cells = corner ? std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}
+                                           : std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    std::array<std::array<double, 4>, 3> at{};
+    for (std::array<double, 4>& along : at) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            along[i + 1] = along[i] + dice.real(2.5, 4.5);
+        }
+    }
+    gmsh::vectorpair solids;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        Vec3 low, size;
+        for (int k = 0; k < 3; ++k) {
+            const auto i = static_cast<std::size_t>(cells[c][k]);
+            low[k] = at[static_cast<std::size_t>(k)][i];
+            size[k] = at[static_cast<std::size_t>(k)][i + 1] - low[k];
+        }
+        const int across = corner && c == 2 ? 0 : 1;  // where the neighbours of this one are not
+        const int k = (corner && c == 0) || dice.whole(0, 1) == 0 ? 2 : across;
+        const bool from_top = dice.whole(0, 1) == 0;
+        Vec3 start =
+            low + Vec3(dice.real(0.4, 0.6) * size[0], dice.real(0.4, 0.6) * size[1], dice.real(0.4, 0.6) * size[2]);
+        Vec3 axis = Vec3::Zero();
+        start[k] = from_top ? low[k] + size[k] : low[k];
+        axis[k] = (from_top ? -1 : 1) * dice.real(0.25, 0.7) * size[k];
+        solids.emplace_back(3, drilled(low, size, start, axis, dice.real(0.2, 0.28) * size.minCoeff()));
+    }
+    share_faces(solids);
+}
+
+}  // namespace
+
+TEST_CASE("random solids drilled in different directions are meshed together") {
+    const Seeds range = seeds("PAVIOR_FUZZ", 6);
+    for (unsigned seed = range.first; seed <= range.last(); ++seed) {
+        CAPTURE(seed);
+        const GmshBrep model = GmshBrep::build([&] { make_crossing(seed); });
+        std::cerr << "crossing " << seed << ": " << check_many(model, 0.5) << "\n";
+    }
+}
+
 TEST_CASE("many-to-many sweeps whose meshes cannot agree are refused, solids and faces named") {
     const GmshBrep model = GmshBrep::build([] {
         const int other = cut(occ::addBox(6, 0, 0, 3, 6, 2), {{3, occ::addCylinder(8, 3, 1, 1, 0, 0, 0.6)}});
