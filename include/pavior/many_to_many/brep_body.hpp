@@ -5,9 +5,9 @@
 #include <pavior/brep/all_tags.hpp>
 #include <pavior/brep/boundary_mesh.hpp>
 #include <pavior/core/error.hpp>
+#include <pavior/many_to_many/detail/given_lines.hpp>
 #include <pavior/many_to_many/extruded_body.hpp>
 #include <pavior/many_to_many/extrusion.hpp>
-#include <pavior/many_to_many/given_lines.hpp>
 #include <pavior/many_to_many/local_sizes.hpp>
 
 #include <Eigen/LU>

@@ -154,12 +154,18 @@ PAVIOR_INLINE std::vector<IntervalRule> mapping_rules(const PlaneArrangement& pl
 
 PAVIOR_INLINE std::vector<IntervalRule> free_mapping_rules(const PlaneArrangement& plane, std::span<const char> wanted,
                                                            std::span<const char> given) {
-    std::vector<IntervalRule> rules = mapping_rules(plane, wanted);
-    std::erase_if(rules, [&](const IntervalRule& rule) {
+    const std::vector<IntervalRule> rules = mapping_rules(plane, wanted);
+    const auto touches = [&](const IntervalRule& rule) {
         return std::any_of(rule.terms.begin(), rule.terms.end(),
                            [&](const auto& term) { return given[term.first] != 0; });
-    });
-    return rules;
+    };
+    std::vector<IntervalRule> result;
+    for (std::size_t i = 0; i + 1 < rules.size(); i += 2) {  // two a cell
+        if (!touches(rules[i]) && !touches(rules[i + 1])) {
+            result.insert(result.end(), {rules[i], rules[i + 1]});
+        }
+    }
+    return result;
 }
 
 PAVIOR_INLINE double worst_interval_ratio(const IntervalSystem& system, const std::vector<int>& numbers) {

@@ -1,4 +1,4 @@
-#include <pavior/many_to_many/given_lines.hpp>
+#include <pavior/many_to_many/detail/given_lines.hpp>
 
 #include "support/catch.hpp"
 #include "support/test_brep.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pavior/many_to_many/given_lines.hpp>
+#include <pavior/many_to_many/detail/given_lines.hpp>
 
 #include <algorithm>
 #include <array>

@@ -47,5 +47,5 @@ template <brep B>
 }  // namespace pavior::detail
 
 #ifndef PAVIOR_COMPILED
-#include <pavior/many_to_many/given_lines-inl.hpp>
+#include <pavior/many_to_many/detail/given_lines-inl.hpp>
 #endif
