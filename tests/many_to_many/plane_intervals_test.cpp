@@ -62,7 +62,7 @@ TEST_CASE("a triangle gets six intervals at least, an unwanted cell nothing") {
 TEST_CASE("edges that are given get one interval, what lies opposite follows, loops stay even") {
     const PlaneArrangement plane = arranged(PolygonBody(steps()));
     const std::vector<char> wanted(plane.cells.size(), 1);
-    const std::vector<double> sizes(plane.edges.size(), 0.5);
+    const std::vector<double> sizes(plane.edges.size(), 1.0);
     for (std::size_t e = 0; e < plane.edges.size(); ++e) {
         std::vector<char> given(plane.edges.size(), 0);
         given[e] = 1;
