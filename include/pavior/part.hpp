@@ -13,5 +13,6 @@
 #include <pavior/part/part_options.hpp>        // what may be asked
 #include <pavior/part/solid_methods.hpp>       // which method meshes which solid
 #include <pavior/part/split_solids.hpp>        // the last resort: tetrahedra, each split in four
+#include <pavior/part/sweep_groups.hpp>        // which many-to-many sweeps share a direction, and their order
 #include <pavior/part/sweep_solids.hpp>        // one-to-one sweeps of solids in one call
 #include <pavior/part/try_method.hpp>          // one method on some solids

@@ -3,6 +3,7 @@
 #include "support/occ_solids.hpp"
 #include "support/test_brep.hpp"
 
+#include <pavior/brep/neighbour_boundary.hpp>
 #include <pavior/cad/region_quads.hpp>
 #include <pavior/many_to_many/multi_sweep_model.hpp>
 #include <pavior/mesh/verify_hexes.hpp>
@@ -86,4 +87,32 @@ TEST_CASE("what is no extrusion is refused with its faces, and a lost attempt sa
     REQUIRE_FALSE(result.attempts.empty());
     CHECK_FALSE(result.attempts[0].error.empty());
     CHECK_FALSE(result.attempts[0].tags.empty());
+}
+
+TEST_CASE("the nodes of a neighbour are kept, on a cap and on a side, whatever the own size") {
+    TestBrep b;
+    add_box_row(b, {0, 1, 2.5});
+    const std::array<SolidId, 1> done{SolidId{0}}, next{SolidId{1}};
+    const auto swept = [&](const std::array<SolidId, 1>& solid, const Vec3& direction, double size,
+                           const BoundaryMesh* given) {
+        MultiSweepOptions options;
+        options.size = size;
+        return multi_sweep_model(b, solid, extrusion_along(b, solid, direction), options, imprint, solved,
+                                 GmshRegionMesher{}, {}, given);
+    };
+    for (const Vec3& before : {Vec3::UnitX().eval(), Vec3::UnitY().eval(), Vec3::UnitZ().eval()}) {
+        const MultiSweptModel first = swept(done, before, 0.21, nullptr);
+        const BoundaryMesh given = neighbour_boundary(b, first.mesh.nodes, first.quads, first.quad_face,
+                                                      detail::faces_of(b, std::span<const SolidId>(done)));
+        for (const Vec3& after : {Vec3::UnitX().eval(), Vec3::UnitY().eval(), Vec3::UnitZ().eval()}) {
+            const MultiSweptModel second = swept(next, after, 0.5, &given);
+            SolidsMesh all = first;
+            join_solids(second, given_nodes(b, next, second, given), given, all);
+            const HexReport report = verify_hexes(all.mesh);
+            INFO(report.text());
+            CHECK(report.ok());
+            CHECK(report.volume == Approx(2.5));
+            CHECK(all.mesh.nodes.size() == first.mesh.nodes.size() + second.mesh.nodes.size() - 36);
+        }
+    }
 }

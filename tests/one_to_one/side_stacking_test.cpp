@@ -85,3 +85,25 @@ TEST_CASE("A search without tests finds nothing") {
     none.max_tests = 0;
     CHECK_FALSE(stacked(solid, 0, 1, none));
 }
+
+TEST_CASE("a side that runs round a corner of 270 degrees is seen only where that is asked for") {
+    TestBrep b;  // from the mitre (face 2) up to the end of a branch that is narrower than its run
+    const SolidId id = add_prism(b, {{0, 0}, {1, 1}, {0.5, 1}, {0.5, 3}, {0, 3}}, 0, 1);
+    const SolidBoundary solid = solid_boundary(b, id);
+    const std::size_t mitre = 2, end = 5;
+    CHECK_FALSE(stacked(solid, mitre, end, {}));
+    StackingOptions flat;
+    flat.flat_notches = true;
+    const auto sweep = stacked(solid, mitre, end, flat);
+    REQUIRE(sweep);
+    CHECK(sweep->stacked);
+    CHECK(sweep->loops[0].size() == 5);
+    // what fits without it comes first
+    TestBrep storeys;
+    const SolidBoundary prism = solid_boundary(storeys, add_prism(storeys, rectangle(1, 1), 0, 2, {}, 2));
+    const auto plain = stacked(prism, 0, 1, {}), other = stacked(prism, 0, 1, flat);
+    REQUIRE((plain && other));
+    for (std::size_t i = 0; i < plain->loops[0].size(); ++i) {
+        CHECK(plain->loops[0][i].face == other->loops[0][i].face);
+    }
+}

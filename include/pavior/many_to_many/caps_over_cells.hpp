@@ -185,6 +185,9 @@ template <extruded_geometry G>
             const Vec3& high = own[i + 1].second.at;
             const double height = high[2] - low[2];
             for (const VertexMark& mark : marks[own[i].first]) {
+                if (body.curves[mark.curve].face == side.tag && side.tag != 0) {
+                    continue;  // a line of a mesh given on it
+                }
                 const double t = (mark.at[2] - low[2]) / height;
                 if (own[i + 1].first == own[i].first && height > limit && t > 1e-6 && t < 1 - 1e-6 &&
                     (mark.at - (1 - t) * low - t * high).norm() > limit) {

@@ -25,6 +25,19 @@ struct ExtrudedCurve {
     std::array<Index, 2> vertices{no_index, no_index};  ///< in ExtrudedBody::vertices, equal for a closed curve
     double size = 0;                                    ///< wished length of its mesh edges; 0: the general one
     int tag = 0;                                        ///< by which users know it
+    bool given = false;  ///< it joins two nodes of a mesh that is given: one interval, no more
+    int face = 0;        ///< tag of the face on which it is a line of a given mesh, and no edge; 0: it is an edge
+};
+
+/// An edge along the direction whose nodes are given.
+struct ExtrudedRib {
+    std::vector<Index> vertices;  ///< in ExtrudedBody::vertices, ascending by height; the first is the end of a curve
+};
+
+/// Two vertices between which there is exactly one layer: neighbours in a mesh that is given.
+struct ExtrudedStep {
+    Index low = no_index, high = no_index;  ///< in ExtrudedBody::vertices
+    int tag = 0;                            ///< of the face, 0: of none
 };
 
 /// A face that is a graph over the plane normal to the direction.
@@ -40,7 +53,9 @@ struct ExtrudedSide {
     int tag = 0;
 };
 
-/// All coordinates are those of the frame: two in the plane, and the height along the direction.
+/// All coordinates are those of the frame: two in the plane, and the height along the direction. A mesh that is given on
+/// a face is part of the body: its edges across the direction are curves (those inside a cap are named twice there, those
+/// inside a side by no side), its edges along it are steps.
 struct ExtrudedBody {
     ExtrusionFrame frame;
     std::vector<Vec3> vertices;
@@ -48,6 +63,8 @@ struct ExtrudedBody {
     PlaneCurves plane;  ///< the curves projected into the plane, as polylines
     std::vector<ExtrudedCap> caps;
     std::vector<ExtrudedSide> sides;
+    std::vector<ExtrudedRib> ribs;    ///< only those with given nodes
+    std::vector<ExtrudedStep> steps;  ///< of a mesh that is given
 };
 
 /// G is an extruded_geometry if, for a const G& g, it evaluates the curves and caps of a body, in the frame:

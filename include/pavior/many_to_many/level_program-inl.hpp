@@ -49,9 +49,21 @@ PAVIOR_INLINE std::pair<std::string, int> LevelClasses::name(std::size_t item) c
     }
     item -= cap_count();
     if (item < curve_count()) {
-        return {"edge " + std::to_string(body_.curves[item].tag), 0};
+        const ExtrudedCurve& curve = body_.curves[item];
+        return curve.face != 0 ? std::pair("a line on face " + std::to_string(curve.face), curve.face)
+                               : std::pair("edge " + std::to_string(curve.tag), 0);
     }
     return {"a vertex", 0};
+}
+
+PAVIOR_INLINE std::vector<Index> plane_vertices(const ExtrudedBody& body, const PlaneArrangement& plane) {
+    std::vector<Index> result(body.vertices.size(), no_index);
+    for (std::size_t c = 0; c < body.curves.size(); ++c) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            result[body.curves[c].vertices[k]] = plane.ends[c][k];
+        }
+    }
+    return result;
 }
 
 PAVIOR_INLINE std::vector<LevelGap> level_gaps(const std::vector<LevelColumn>& columns, LevelClasses& classes,
@@ -167,14 +179,50 @@ PAVIOR_INLINE void LevelSystem::grow(std::size_t root, const std::multimap<std::
     }
 }
 
-PAVIOR_INLINE void LevelSystem::add_cycle(std::size_t g) {
-    std::map<std::size_t, int> terms{{g, 1}};
-    for (const auto& [gap, sign] : tree_[gaps_[g].low].path) {
-        terms[gap] += sign;
-    }
-    for (const auto& [gap, sign] : tree_[gaps_[g].high].path) {
+PAVIOR_INLINE std::map<std::size_t, int> LevelSystem::layers_between(std::size_t low, std::size_t high) const {
+    std::map<std::size_t, int> terms;
+    for (const auto& [gap, sign] : tree_[low].path) {
         terms[gap] -= sign;
     }
+    for (const auto& [gap, sign] : tree_[high].path) {
+        terms[gap] += sign;
+    }
+    return terms;
+}
+
+PAVIOR_INLINE void LevelSystem::add_step(std::size_t low, std::size_t high, const std::string& text, int face) {
+    IntervalRule rule;
+    for (const auto& [gap, sign] : layers_between(low, high)) {
+        if (sign != 0) {
+            rule.terms.emplace_back(gap, sign);
+        }
+    }
+    if (rule.terms.empty() || tree_[low].root != tree_[high].root) {
+        throw UnmeshableError(ErrorCode::not_sweepable, text + ", yet there is no height between these here", {face});
+    }
+    rule.value = 1;
+    rule.text = text;
+    rule.faces.push_back(face);
+    system_.rules.push_back(std::move(rule));
+}
+
+PAVIOR_INLINE void add_steps(const ExtrudedBody& body, const LevelClasses& classes, LevelSystem& system) {
+    const std::size_t first = classes.cap_count() + classes.curve_count();
+    std::set<std::pair<std::size_t, std::size_t>> known;
+    for (const ExtrudedStep& step : body.steps) {
+        const std::pair key(classes.find(first + step.low), classes.find(first + step.high));
+        if (known.insert(key).second) {
+            system.add_step(
+                key.first, key.second,
+                "the mesh given on face " + std::to_string(step.tag) + " has one layer between neighbouring nodes",
+                step.tag);
+        }
+    }
+}
+
+PAVIOR_INLINE void LevelSystem::add_cycle(std::size_t g) {
+    std::map<std::size_t, int> terms = layers_between(gaps_[g].high, gaps_[g].low);
+    ++terms[g];
     IntervalRule rule;
     std::set<int> faces;
     rule.text = "layers between";

@@ -68,7 +68,11 @@ struct LevelColumn {
     bool inside = false;            ///< the line runs inside a cell, not on an edge
 };
 
-/// Lines inside each cell, on each edge, and at each vertex of the arrangement. Curves count where they bound no cap.
+/// The vertex of the arrangement at which each vertex of a body lies that is the end of a curve; no_index for others.
+[[nodiscard]] PAVIOR_INLINE std::vector<Index> plane_vertices(const ExtrudedBody& body, const PlaneArrangement& plane);
+
+/// Lines inside each cell, on each edge, and at each vertex of the arrangement. Curves count where they bound no cap,
+/// given vertices of ribs between their ends.
 template <extruded_geometry G>
 [[nodiscard]] std::vector<LevelColumn> level_columns(const ExtrudedBody& body, const G& geometry,
                                                      const PlaneArrangement& plane,
@@ -112,6 +116,13 @@ template <extruded_geometry G>
             add(first_vertex + v, plane.vertices[v]);
         }
     }
+    const std::vector<Index> at = body.ribs.empty() ? std::vector<Index>{} : plane_vertices(body, plane);
+    for (const ExtrudedRib& rib : body.ribs) {
+        for (std::size_t i = 1; i + 1 < rib.vertices.size(); ++i) {
+            columns[first_vertex + at[rib.vertices.front()]].items.push_back(
+                {body.vertices[rib.vertices[i]][2], body.caps.size() + body.curves.size() + rib.vertices[i]});
+        }
+    }
     for (LevelColumn& column : columns) {
         std::sort(column.items.begin(), column.items.end());
         column.items.erase(std::unique(column.items.begin(), column.items.end()), column.items.end());
@@ -138,6 +149,9 @@ public:
 
     [[nodiscard]] const IntervalSystem& system() const { return system_; }
 
+    /// Adds the demand that class \p high lies one layer above class \p low. \p text names both.
+    void add_step(std::size_t low, std::size_t high, const std::string& text, int face);
+
     /// Levels of the classes, 0 for the lowest of each connected part.
     [[nodiscard]] std::vector<int> levels(const std::vector<int>& numbers) const;
 
@@ -154,6 +168,9 @@ private:
 
     void add_cycle(std::size_t g);
 
+    /// The number of layers between two classes as a sum over gaps.
+    [[nodiscard]] std::map<std::size_t, int> layers_between(std::size_t low, std::size_t high) const;
+
     const LevelClasses& classes_;
     const std::vector<LevelGap>& gaps_;
     std::vector<Branch> tree_;
@@ -161,12 +178,15 @@ private:
     IntervalSystem system_;
 };
 
+/// The steps of \p body as demands of \p system, each pair of classes once.
+PAVIOR_INLINE void add_steps(const ExtrudedBody& body, const LevelClasses& classes, LevelSystem& system);
+
 }  // namespace detail
 
 /// Assigns levels such that every entity that lies above another one has a higher level, and gaps are divided as evenly
-/// into layers of height \p size as that allows. \p solver turns an IntegerProgram into an IntegerSolution.
+/// into layers of height \p size as that allows; the steps of the body are one layer high. \p solver turns an IntegerProgram into an IntegerSolution.
 /// \throws UnmeshableError not_sweepable naming faces where slanted caps lead from one level to another that lies above
-/// it; infeasible_intervals where no levels satisfy all columns
+/// it; infeasible_intervals where no levels satisfy all columns and steps
 template <extruded_geometry G, integer_solver Solver>
 [[nodiscard]] CapLevels solve_level_program(const ExtrudedBody& body, const G& geometry, const PlaneArrangement& plane,
                                             const std::vector<CapsOverCell>& stacks, double size,
@@ -174,7 +194,8 @@ template <extruded_geometry G, integer_solver Solver>
     detail::LevelClasses classes(body);
     const std::vector<detail::LevelGap> gaps =
         detail::level_gaps(detail::level_columns(body, geometry, plane, stacks), classes, tolerance);
-    const detail::LevelSystem system(classes, gaps, size);
+    detail::LevelSystem system(classes, gaps, size);
+    detail::add_steps(body, classes, system);
     const IntervalResult solved = solve_intervals(system.system(), solver);
     if (solved.numbers.empty() && !gaps.empty()) {
         throw detail::interval_error(system.system(), solved, solver);

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <numbers>
 #include <numeric>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,73 @@ namespace detail {
         }
     }
     return result;
+}
+
+/// Whether each edge of the arrangement joins two nodes of a mesh that is given; empty if nothing is given.
+[[nodiscard]] inline std::vector<char> given_edges(const ExtrudedBody& body, const PlaneArrangement& plane) {
+    std::vector<char> result;
+    for (Index c = 0; c < body.curves.size(); ++c) {
+        if (body.curves[c].given) {
+            result.resize(plane.edges.size(), 0);
+            for (const OrientedPlaneEdge& use : plane.routes[c]) {
+                result[use.edge] = 1;
+            }
+        }
+    }
+    return result;
+}
+
+/// Curve \p c runs through \p vertex of the arrangement, or ends there.
+[[nodiscard]] inline bool passes(const PlaneArrangement& plane, Index c, Index vertex) {
+    return std::any_of(plane.routes[c].begin(), plane.routes[c].end(), [&](const OrientedPlaneEdge& use) {
+        return plane.edges[use.edge].vertices[0] == vertex || plane.edges[use.edge].vertices[1] == vertex;
+    });
+}
+
+/// What is wrong with the given curve \p c, which is not one edge of the arrangement.
+[[nodiscard]] inline std::string given_fault(const ExtrudedBody& body, const PlaneArrangement& plane, Index c) {
+    if (plane.routes[c].empty()) {
+        return "has nodes within the tolerance of each other";
+    }
+    const OrientedPlaneEdge& first = plane.routes[c][0];
+    const Index cut = plane.edges[first.edge].vertices[first.forward ? 1 : 0];
+    for (Index k = 0; k < body.curves.size(); ++k) {
+        if (!body.curves[k].given && passes(plane, k, cut)) {
+            return "has no node where it meets, seen along the direction, edge " + std::to_string(body.curves[k].tag);
+        }
+    }
+    return "and that of another, seen along the direction, have different nodes";
+}
+
+/// Curves between neighbouring given nodes that shrank to a point, or that another curve cuts.
+[[nodiscard]] inline StackResult check_given(const ExtrudedBody& body, const PlaneArrangement& plane) {
+    for (Index c = 0; c < body.curves.size(); ++c) {
+        const ExtrudedCurve& curve = body.curves[c];
+        if (!curve.given || plane.routes[c].size() == 1) {
+            continue;
+        }
+        const std::string at =
+            curve.face != 0 ? "face " + std::to_string(curve.face) : "edge " + std::to_string(curve.tag);
+        StackResult result;
+        result.fault = at + ": the mesh that a neighbour gives there " + given_fault(body, plane, c);
+        result.curves = {c};
+        const auto add = [&](const std::vector<Index>& curves, int tag) {
+            if (std::find(curves.begin(), curves.end(), c) != curves.end()) {
+                result.tags.push_back(tag);
+            }
+        };
+        for (const ExtrudedCap& cap : body.caps) {
+            add(cap.curves, cap.tag);
+        }
+        for (const ExtrudedSide& side : body.sides) {
+            add(side.curves, side.tag);
+        }
+        if (result.tags.empty()) {
+            result.tags.push_back(curve.face);
+        }
+        return result;
+    }
+    return {};
 }
 
 [[nodiscard]] inline double height_range(const ExtrudedBody& body) {
@@ -99,6 +167,9 @@ struct ImprintedBody {
         try {
             result.plane = imprint(body.plane, tolerances);
             stacks = caps_over_cells(body, geometry, result.plane, dent * options.size);
+            if (StackResult given = check_given(body, result.plane); stacks.fault.empty() && !given.fault.empty()) {
+                stacks = std::move(given);
+            }
         } catch (const Error& error) {
             if (error.code() != ErrorCode::cad_failure) {
                 throw;
@@ -149,30 +220,36 @@ struct ImprintedBody {
         const Vec3 point = geometry.curve_point(curves[edge].front(), x);
         return Vec2(point.head<2>());
     };
+    const std::vector<char> given = given_edges(body, plane);
+    const auto fill = [&](const PlaneRegion& region) {
+        if (!given.empty() && region.size() == 1 && region.points.size() == 4) {
+            return PlaneQuadMesh{region.points, {{0, 1, 2, 3}}};
+        }
+        return mesher(region);
+    };
     for (int i = 1;; ++i) {
         const PlaneIntervals intervals =
-            plane_intervals(plane, wanted, sizes, options.max_angle * std::numbers::pi / 180, solver);
+            plane_intervals(plane, wanted, sizes, options.max_angle * std::numbers::pi / 180, solver, given);
         report.mapped_cells = intervals.mapped;
         report.worst_plane_ratio = intervals.worst_ratio;
         report.optimal = report.optimal && intervals.optimal;
         std::size_t failures = 0;
-        PlaneMesh mesh =
-            mesh_plane(plane, intervals.numbers, wanted, place, mesher, [&](Index cell, const Error& error) {
-                ++failures;
-                if (i == tries) {
-                    Error::Ids tags;
-                    for (const Index c : imprinted.stacks[cell].caps) {
-                        tags.push_back(body.caps[c].tag);
-                    }
-                    throw UnmeshableError(ErrorCode::cad_failure, error.what(), tags);
+        PlaneMesh mesh = mesh_plane(plane, intervals.numbers, wanted, place, fill, [&](Index cell, const Error& error) {
+            ++failures;
+            if (i == tries) {
+                Error::Ids tags;
+                for (const Index c : imprinted.stacks[cell].caps) {
+                    tags.push_back(body.caps[c].tag);
                 }
-                for (const auto& loop : plane.cells[cell].loops) {
-                    for (const OrientedPlaneEdge& use : loop) {
-                        const double intervals_more = intervals.numbers[use.edge] + 1;
-                        sizes[use.edge] = std::min(0.7 * sizes[use.edge], lengths[use.edge] / intervals_more);
-                    }
+                throw UnmeshableError(ErrorCode::cad_failure, error.what(), tags);
+            }
+            for (const auto& loop : plane.cells[cell].loops) {
+                for (const OrientedPlaneEdge& use : loop) {
+                    const double intervals_more = intervals.numbers[use.edge] + 1;
+                    sizes[use.edge] = std::min(0.7 * sizes[use.edge], lengths[use.edge] / intervals_more);
                 }
-            });
+            }
+        });
         if (failures == 0) {
             return mesh;
         }

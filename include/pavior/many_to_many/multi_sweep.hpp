@@ -48,13 +48,15 @@ struct MultiSweepMesh : LayeredHexes {
 /// imprinted into one arrangement, whose cells are divided into quads; over each cell the solid reaches from cap to
 /// cap. Every cap is a level of nodes: the levels run through the whole solid, and an integer program spreads the
 /// layers between them. Nodes of caps, curves and vertices lie on them, those of sides straight between; inner levels
-/// keep the height of their caps where these are flat and follow them smoothly where they are not.
+/// keep the height of their caps where these are flat and follow them smoothly where they are not. A mesh that is given
+/// on faces and edges of the body is kept: quad for quad, node for node.
 ///
 /// \p geometry may be any extruded_geometry, \p imprint any plane_imprinter, \p solver any integer_solver and
 /// \p mesher any region_mesher. The result is not verified; use verify_hexes(). Deterministic if these
 /// are. O(hexahedra) memory and time, but for the solver, and for levels whose caps are not of one height.
 /// \throws UnmeshableError not_sweepable naming faces (tags) that are too narrow or have no level, or an edge a vertex
-/// of which would share its node with another vertex; infeasible_intervals; InputError bad_option, empty_input,
+/// of which would share its node with another vertex, or a given mesh without a node where an edge of another level
+/// meets it; infeasible_intervals; InputError bad_option, empty_input,
 /// size_mismatch; what the callables throw
 [[nodiscard]] PAVIOR_INLINE MultiSweepMesh multi_sweep(const ExtrudedBody& body, const AnyExtrudedGeometry& geometry,
                                                        const MultiSweepOptions& options, const PlaneImprinter& imprint,

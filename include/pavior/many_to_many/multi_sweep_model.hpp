@@ -3,6 +3,7 @@
 /// Many-to-many sweep of the solids of a CAD model.
 
 #include <pavior/brep/face_distance.hpp>
+#include <pavior/brep/join_solids.hpp>
 #include <pavior/brep/snap_to_faces.hpp>
 #include <pavior/brep/solids_mesh.hpp>
 #include <pavior/core/compiled.hpp>
@@ -40,14 +41,16 @@ struct MultiSweptModel : SolidsMesh {
 };
 
 /// Meshes \p solids of \p b, one conforming mesh for all, along the direction of \p extrusion. Callables as for
-/// multi_sweep().
+/// multi_sweep(). What \p given holds of the boundary (neighbour_boundary(); null: nothing) is kept, as far as columns
+/// can; join_solids() tells.
 /// \throws UnmeshableError not_sweepable naming faces; what multi_sweep() throws
 template <brep B, plane_imprinter I, integer_solver Solver, region_mesher M>
 [[nodiscard]] MultiSweptModel multi_sweep_model(const B& b, std::span<const SolidId> solids, const Extrusion& extrusion,
                                                 const MultiSweepOptions& options, I&& imprint, Solver&& solver,
-                                                M&& mesher, const LocalSizes& sizes = {}) {
+                                                M&& mesher, const LocalSizes& sizes = {},
+                                                const BoundaryMesh* given = nullptr) {
     const BrepBody<B> body(b, solids, extrusion, options.chord * options.size,
-                           std::max(options.merge, 0.1) * options.size, sizes);
+                           std::max(options.merge, 0.1) * options.size, sizes, given);
     if (body.body().caps.empty()) {
         throw UnmeshableError(ErrorCode::not_sweepable, "no face is a cap");
     }
@@ -106,7 +109,8 @@ template <brep B, plane_imprinter I, integer_solver Solver, region_mesher M, cla
 class MultiSweepSearch {
 public:
     MultiSweepSearch(const B& b, std::span<const SolidId> solids, const MultiSweepOptions& options, I& imprint,
-                     Solver& solver, M& mesher, OutOfTime& out_of_time, double sufficient, const LocalSizes& sizes)
+                     Solver& solver, M& mesher, OutOfTime& out_of_time, double sufficient, const LocalSizes& sizes,
+                     const BoundaryMesh* given)
         : b_(b),
           solids_(solids),
           options_(options),
@@ -115,14 +119,15 @@ public:
           mesher_(mesher),
           out_of_time_(out_of_time),
           sufficient_(sufficient),
-          sizes_(sizes) {}
+          sizes_(sizes),
+          given_(given) {}
 
     [[nodiscard]] bool found() const { return result_.mesh.has_value(); }
     [[nodiscard]] bool done() const { return best_ >= sufficient_ || out_of_time_(); }
 
     void straight(const Extrusion& extrusion) {
         attempts({extrusion.direction, {}, {}}, [&](const MultiSweepOptions& own) {
-            return multi_sweep_model(b_, solids_, extrusion, own, imprint_, solver_, mesher_, sizes_);
+            return multi_sweep_model(b_, solids_, extrusion, own, imprint_, solver_, mesher_, sizes_, given_);
         });
     }
 
@@ -161,7 +166,8 @@ private:
             return false;
         }
         attempts(path, [&](const MultiSweepOptions& own) {
-            MultiSweptModel mesh = multi_sweep_model(view, solids_, extrusion, own, imprint_, solver_, mesher_, sizes_);
+            MultiSweptModel mesh =
+                multi_sweep_model(view, solids_, extrusion, own, imprint_, solver_, mesher_, sizes_, given_);
             for (Vec3& node : mesh.mesh.nodes) {
                 node = map.rolled(node);
             }
@@ -207,6 +213,9 @@ private:
                                       " away from it, to keep clear of other faces nearby",
                                   {tag});
         }
+        if (given_ != nullptr) {
+            (void)given_nodes(b_, solids_, mesh, *given_);
+        }
         attempt.face_distance = off.distance;
         attempt.quality = hex_quality(mesh.mesh).scaled_jacobian.min;
         if (attempt.quality > best_) {
@@ -224,6 +233,7 @@ private:
     OutOfTime& out_of_time_;
     double sufficient_;
     const LocalSizes& sizes_;
+    const BoundaryMesh* given_;
     BestMultiSweep result_;
     double best_ = -2;
 };
@@ -236,14 +246,15 @@ private:
 /// the faces, which CAD kernels approximate there). Each is tried with the merging tolerance of \p options, without
 /// merging, and, where that makes no mesh, with a twentieth of the chord error for very short edges, until a mesh has a
 /// least scaled Jacobian of \p sufficient; otherwise the best counts. A mesh with a boundary node farther from its face
-/// than 1e-4 times the size is none. Nothing is tried once out_of_time() is true. Callables as for multi_sweep().
+/// than 1e-4 times the size is none, nor is one that differs from what is \p given of its boundary (given_nodes(); null:
+/// nothing is). Nothing is tried once out_of_time() is true. Callables as for multi_sweep().
 /// \throws UnmeshableError not_sweepable naming faces where no path is possible; InputError as multi_sweep()
 template <brep B, plane_imprinter I, integer_solver Solver, region_mesher M, class OutOfTime>
 [[nodiscard]] BestMultiSweep best_multi_sweep(const B& b, std::span<const SolidId> solids,
                                               const MultiSweepOptions& options, I&& imprint, Solver&& solver,
                                               M&& mesher, OutOfTime&& out_of_time, double sufficient = 0.3,
-                                              const LocalSizes& sizes = {}) {
-    detail::MultiSweepSearch search(b, solids, options, imprint, solver, mesher, out_of_time, sufficient, sizes);
+                                              const LocalSizes& sizes = {}, const BoundaryMesh* given = nullptr) {
+    detail::MultiSweepSearch search(b, solids, options, imprint, solver, mesher, out_of_time, sufficient, sizes, given);
     const std::vector<Extrusion> extrusions = recognise_extrusions(b, solids);
     for (const Extrusion& extrusion : extrusions) {
         if (extrusion.possible() && !search.done()) {

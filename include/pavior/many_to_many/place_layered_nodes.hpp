@@ -99,6 +99,18 @@ private:
                 put(node, body_.vertices[v], NodePlace::vertex);
             }
         }
+        place_ribs();
+    }
+
+    /// Given nodes between the ends of edges along the direction.
+    void place_ribs() {
+        const std::vector<Index> at = body_.ribs.empty() ? std::vector<Index>{} : plane_vertices(body_, arrangement_);
+        for (const ExtrudedRib& rib : body_.ribs) {
+            for (std::size_t i = 1; i + 1 < rib.vertices.size(); ++i) {
+                const Index v = rib.vertices[i];
+                put(id(at[rib.vertices.front()], levels_.vertices[v]), body_.vertices[v], NodePlace::vertex);
+            }
+        }
     }
 
     /// Calls visit(first, last) for each run of levels at which a column has nodes.

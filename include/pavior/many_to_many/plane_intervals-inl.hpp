@@ -89,16 +89,28 @@ PAVIOR_INLINE PolylineSize polyline_size(std::span<const Vec2> points) {
     return sides;
 }
 
+/// A cell that is one quad of a given mesh.
+[[nodiscard]] inline bool is_given_quad(const PlaneCell& cell, std::span<const char> given) {
+    return !given.empty() && cell.loops.size() == 1 && cell.loops[0].size() == 4 &&
+           std::all_of(cell.loops[0].begin(), cell.loops[0].end(), [&](auto& use) { return given[use.edge] != 0; });
+}
+
 PAVIOR_INLINE IntervalSystem plane_interval_system(const PlaneArrangement& plane, std::span<const char> wanted,
-                                                   std::span<const double> edge_sizes, double max_angle) {
+                                                   std::span<const double> edge_sizes, double max_angle,
+                                                   std::span<const char> given) {
     IntervalSystem system;
     for (std::size_t e = 0; e < plane.edges.size(); ++e) {
+        if (!given.empty() && given[e] != 0) {
+            system.edges.push_back({1.0, 1});
+            system.rules.push_back({IntervalRule::Kind::equal, {{e, 1}}, 1, "a given mesh is kept", {}});
+            continue;
+        }
         const PolylineSize size = polyline_size(plane.edges[e].points);
         const int lower = std::max(1, static_cast<int>(std::ceil(size.turning / max_angle - 0.01)));
         system.edges.push_back({std::max(size.length / edge_sizes[e], static_cast<double>(lower)), lower});
     }
     for (std::size_t c = 0; c < plane.cells.size(); ++c) {
-        if (wanted[c] == 0) {
+        if (wanted[c] == 0 || is_given_quad(plane.cells[c], given)) {
             continue;
         }
         for (const auto& loop : plane.cells[c].loops) {
@@ -138,6 +150,22 @@ PAVIOR_INLINE std::vector<IntervalRule> mapping_rules(const PlaneArrangement& pl
         }
     }
     return rules;
+}
+
+PAVIOR_INLINE std::vector<IntervalRule> free_mapping_rules(const PlaneArrangement& plane, std::span<const char> wanted,
+                                                           std::span<const char> given) {
+    const std::vector<IntervalRule> rules = mapping_rules(plane, wanted);
+    const auto touches = [&](const IntervalRule& rule) {
+        return std::any_of(rule.terms.begin(), rule.terms.end(),
+                           [&](const auto& term) { return given[term.first] != 0; });
+    };
+    std::vector<IntervalRule> result;
+    for (std::size_t i = 0; i + 1 < rules.size(); i += 2) {  // two a cell
+        if (!touches(rules[i]) && !touches(rules[i + 1])) {
+            result.insert(result.end(), {rules[i], rules[i + 1]});
+        }
+    }
+    return result;
 }
 
 PAVIOR_INLINE double worst_interval_ratio(const IntervalSystem& system, const std::vector<int>& numbers) {

@@ -19,6 +19,7 @@ PAVIOR_INLINE void RolePatterns::make(const SolidBoundary& solid, const SolidBou
     std::vector<double> angles;
     std::vector<int> turns;         // quarters at each vertex
     std::vector<std::size_t> free;  // vertices that may be corners or not
+    std::vector<std::size_t> notches;
     int missing = 4;
     for (std::size_t h = f.begin; h < f.end; ++h) {
         const double angle = solid.half_edges[h].angle;
@@ -31,6 +32,9 @@ PAVIOR_INLINE void RolePatterns::make(const SolidBoundary& solid, const SolidBou
         if (corner && kink) {
             free.push_back(h - f.begin);
         }
+        if (notch && options.flat_notches && notches.size() < max_notches) {
+            notches.push_back(h - f.begin);
+        }
         turns.push_back(notch ? -1 : corner && !kink ? 1 : 0);
         missing -= turns.back();
         angles.push_back(angle);
@@ -38,7 +42,7 @@ PAVIOR_INLINE void RolePatterns::make(const SolidBoundary& solid, const SolidBou
     std::stable_sort(free.begin(), free.end(), [&](auto p, auto q) { return angles[p] < angles[q]; });
     free.resize(std::min(free.size(), max_free));
     Weighted weighted;
-    choose_corners(angles, free, 0, missing, turns, weighted);
+    flatten_notches(angles, notches, 0, free, missing, turns, weighted);
     std::stable_sort(weighted.begin(), weighted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (auto& [weight, pattern] : weighted) {
         result.push_back(std::move(pattern));
@@ -58,11 +62,27 @@ PAVIOR_INLINE void RolePatterns::choose_corners(const std::vector<double>& angle
     }
 }
 
+PAVIOR_INLINE void RolePatterns::flatten_notches(const std::vector<double>& angles,
+                                                 const std::vector<std::size_t>& notches, std::size_t at,
+                                                 const std::vector<std::size_t>& free, int missing,
+                                                 std::vector<int>& turns, Weighted& result) {
+    if (at == notches.size()) {
+        choose_corners(angles, free, 0, missing, turns, result);
+        return;
+    }
+    flatten_notches(angles, notches, at + 1, free, missing, turns, result);
+    turns[notches[at]] = 0;
+    flatten_notches(angles, notches, at + 1, free, missing - 1, turns, result);
+    turns[notches[at]] = -1;
+}
+
 PAVIOR_INLINE void RolePatterns::add_rotations(const std::vector<double>& angles, const std::vector<int>& turns,
                                                Weighted& result) {
+    constexpr double flattening = 360.0;  // more than all angles of a usual face are off
     double weight = 0.0;
     for (std::size_t i = 0; i < angles.size(); ++i) {
-        weight += std::abs(angles[i] - (180.0 - 90.0 * turns[i]));
+        const bool flat_notch = turns[i] == 0 && angles[i] > 230.0;
+        weight += std::abs(angles[i] - (180.0 - 90.0 * turns[i])) + (flat_notch ? flattening : 0.0);
     }
     for (int rotation = 0; rotation < 4; ++rotation) {
         RolePattern pattern(angles.size());

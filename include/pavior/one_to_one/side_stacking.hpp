@@ -16,9 +16,12 @@ namespace pavior {
 /// Which vertices of a side face may be corners of its logical rectangle, or union of rectangles. Only for solids with
 /// sides above each other.
 struct StackingOptions {
-    double corner_tolerance = 65.0;   ///< a corner's interior angle is 90 +- this, degrees
-    double notch_tolerance = 40.0;    ///< a corner between two parts of an L-shaped side has 270 +- this, degrees
-    double kink_tolerance = 50.0;     ///< at a vertex inside a logical side it is 180 +- this, degrees
+    double corner_tolerance = 65.0;  ///< a corner's interior angle is 90 +- this, degrees
+    double notch_tolerance = 40.0;   ///< a corner between two parts of an L-shaped side has 270 +- this, degrees
+    double kink_tolerance = 50.0;    ///< at a vertex inside a logical side it is 180 +- this, degrees
+    /// A vertex of 270 degrees may also lie inside a logical side, which runs round it: two quads share its angle. Ways
+    /// to see a face with fewer such vertices come first.
+    bool flat_notches = false;
     std::size_t max_tests = 5000000;  ///< ways to see a face tried for one solid before the search gives up
 };
 
@@ -41,7 +44,8 @@ public:
 
 private:
     using Weighted = std::vector<std::pair<double, RolePattern>>;
-    static constexpr std::size_t max_free = 12;  ///< of the vertices that may be corners, the sharpest are tried
+    static constexpr std::size_t max_free = 12;    ///< of the vertices that may be corners, the sharpest are tried
+    static constexpr std::size_t max_notches = 6;  ///< of the vertices that may be flattened, the first are
 
     static void make(const SolidBoundary& solid, const SolidBoundary::Face& f, const StackingOptions& options,
                      std::vector<RolePattern>& result);
@@ -49,6 +53,11 @@ private:
     /// Makes \p missing more corners of vertices of \p free from position \p at on, in all ways.
     static void choose_corners(const std::vector<double>& angles, const std::vector<std::size_t>& free, std::size_t at,
                                int missing, std::vector<int>& turns, Weighted& result);
+
+    /// Sees vertices of \p notches from position \p at on as flat or not, in all ways, then chooses corners.
+    static void flatten_notches(const std::vector<double>& angles, const std::vector<std::size_t>& notches,
+                                std::size_t at, const std::vector<std::size_t>& free, int missing,
+                                std::vector<int>& turns, Weighted& result);
 
     static void add_rotations(const std::vector<double>& angles, const std::vector<int>& turns, Weighted& result);
 
