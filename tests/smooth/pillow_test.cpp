@@ -184,9 +184,8 @@ TEST_CASE("One side of a box: a layer as thick as asked, strips on the four side
 }
 
 TEST_CASE("Adjacent and opposite sides, all of them, and one cube from all sides") {
-    for (const auto& [groups, quads] :
-         std::vector<std::pair<std::set<int>, std::size_t>>{{{2, 6}, 18}, {{5, 6}, 18}, {{2, 4, 6}, 27},
-                                                            {{1, 2, 6}, 27}, {{1, 2, 3, 4, 5, 6}, 54}}) {
+    for (const auto& [groups, quads] : std::vector<std::pair<std::set<int>, std::size_t>>{
+             {{2, 6}, 18}, {{5, 6}, 18}, {{2, 4, 6}, 27}, {{1, 2, 6}, 27}, {{1, 2, 3, 4, 5, 6}, 54}}) {
         HexMeshData data = box(3, 3, 3);
         std::set<Index> nodes;
         for (const std::size_t q : of_groups(data, groups)) {
@@ -219,7 +218,9 @@ TEST_CASE("Adjacent and opposite sides, all of them, and one cube from all sides
 TEST_CASE("A concave edge between chosen sides") {
     HexMesh mesh = shapes::extrusion(shapes::l_shape(2), 2);
     const double volume = check_mesh(mesh).verify.volume;
-    HexMeshData data = with_quads(std::move(mesh), [](const Vec3& x) { return x.z() < 1e-9 ? 1 : x.z() > 1 - 1e-9 ? 2 : 3; });
+    HexMeshData data = with_quads(std::move(mesh), [](const Vec3& x) {
+        return x.z() < 1e-9 ? 1 : x.z() > 1 - 1e-9 ? 2 : 3;
+    });
     const std::size_t walls = count(data, 3), hexes = data.mesh.hexes.size();
     const PillowReport report = pillow(data, of_groups(data, {3}));
     CHECK(report.ok());
@@ -269,7 +270,8 @@ TEST_CASE("Inside a mesh: the classical pillow round a shrink set") {
 TEST_CASE("Solids that share a face: the layer goes through both, or round one of them, or is refused") {
     const auto two = [] {
         const Vec3 size(4, 2, 2);
-        return with_quads(shapes::hex_box(4, 2, 2, size), sides_of(size), [](const Vec3& x) { return x.x() < 2 ? 1 : 2; });
+        return with_quads(shapes::hex_box(4, 2, 2, size), sides_of(size),
+                          [](const Vec3& x) { return x.x() < 2 ? 1 : 2; });
     };
     const auto tops = [](const HexMeshData& data, bool right) {
         Positions result;
@@ -346,7 +348,8 @@ TEST_CASE("Rims that would lose a feature or touch themselves are refused") {
     require_same(data, before);
     relabel({11, 11, 12, 13});  // one line leaves, which the double follows
     CHECK(pillow(data, of_groups(data, {11})).ok());
-    CHECK(verify_hexes(data.mesh, {.samples = 1}).count(MeshFault::inverted) > 0);  // quads of a plane beside each other
+    CHECK(verify_hexes(data.mesh, {.samples = 1}).count(MeshFault::inverted) >
+          0);  // quads of a plane beside each other
     CHECK(area(data, 12) == Approx(1));
     CHECK(area(data, 13) == Approx(1));
     CHECK(count(data, 12) == 2);
@@ -374,7 +377,9 @@ TEST_CASE("A grid bent into a cylinder becomes an O-grid; its flat hexahedra bec
         const double reach = p.lpNorm<Eigen::Infinity>();
         x.head<2>() = reach > 0 ? Vec2(radius * reach * p.normalized()) : Vec2(Vec2::Zero());
     }
-    HexMeshData data = with_quads(std::move(mesh), [](const Vec3& x) { return x.z() < 1e-9 ? 1 : x.z() > 3 - 1e-9 ? 2 : 3; });
+    HexMeshData data = with_quads(std::move(mesh), [](const Vec3& x) {
+        return x.z() < 1e-9 ? 1 : x.z() > 3 - 1e-9 ? 2 : 3;
+    });
     const MeshCheck flat = check_mesh(data.mesh);
     CHECK(flat.quality.scaled_jacobian.min < 0.3);
     const double volume = flat.verify.volume;
@@ -386,7 +391,8 @@ TEST_CASE("A grid bent into a cylinder becomes an O-grid; its flat hexahedra bec
                 freedoms[i] = std::min(freedoms[i], slides);
             }
         }
-        const GuidedNodes guide{freedoms, [&](Index, const Vec3& x) { return Vec3(x.x(), x.y(), x.z() < 1.5 ? 0 : 3); }};
+        const GuidedNodes guide{freedoms,
+                                [&](Index, const Vec3& x) { return Vec3(x.x(), x.y(), x.z() < 1.5 ? 0 : 3); }};
         return improve_hexes(some.mesh.nodes, some.mesh.hexes, guide, {.target = 0.6}).min_det_after;
     };
     HexMeshData without = data;
@@ -431,7 +437,8 @@ TEST_CASE("Any mesh, any quads, in any order: the same bytes; mistakes are named
     const archetype::Hexes foreign(data.mesh);
     std::vector<std::array<int, 4>> quads;
     for (const QuadCorners& c : data.quads) {
-        quads.push_back({static_cast<int>(c[0]), static_cast<int>(c[1]), static_cast<int>(c[2]), static_cast<int>(c[3])});
+        quads.push_back(
+            {static_cast<int>(c[0]), static_cast<int>(c[1]), static_cast<int>(c[2]), static_cast<int>(c[3])});
     }
     const PillowedMesh made = pillow(foreign, std::span<const std::array<int, 4>>(quads), data.quad_groups, other);
     CHECK(made.report.node_from == report.node_from);

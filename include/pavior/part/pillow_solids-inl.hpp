@@ -47,7 +47,9 @@ public:
     /// \param inside  a flag a hexahedron; empty: all
     PillowSkin(const SolidsMesh& mesh, std::span<const char> inside, double angle) : mesh_(mesh), angle_(angle) {
         const auto faces = faces_under_quads(mesh.mesh, mesh.quads);
-        const auto taken = [&](const HexFace& f) { return f.hex != no_index && (inside.empty() || inside[f.hex] != 0); };
+        const auto taken = [&](const HexFace& f) {
+            return f.hex != no_index && (inside.empty() || inside[f.hex] != 0);
+        };
         std::vector<QuadCorners> corners;
         for (std::size_t q = 0; q < mesh.quads.size(); ++q) {
             if (taken(faces[q][0]) != taken(faces[q][1])) {
@@ -253,29 +255,28 @@ enum class PillowSeeds : std::uint8_t {
     worst,  ///< under faces at the worst hexahedra
 };
 
-/// Inserts layers, by all solids together or by each of them.
+/// Inserts layers.
 class LayerInserter {
 public:
     LayerInserter(const PillowSolidsOptions& options, double before, SolidsMesh& mesh)
         : options_(options), before_(before), mesh_(mesh) {}
 
-    /// \return faces and fault, no faces without seeds
-    PillowAttempt run(PillowSeeds seeds) {
+    /// One layer through all solids. \return faces and fault, no faces without seeds
+    PillowAttempt together(PillowSeeds seeds) {
         insert({}, seeds);
-        const std::set<SolidId> solids(mesh_.hex_solid.begin(), mesh_.hex_solid.end());
-        if (attempt_.fault == PillowFault::none || solids.size() == 1) {
-            return finish(attempt_.fault);
-        }
-        const PillowFault together = attempt_.fault;
+        return finish(attempt_.fault);
+    }
+    /// A layer in each solid that has seeds.
+    PillowAttempt apart(PillowSeeds seeds) {
         bool any = false;
-        for (const SolidId s : solids) {
+        for (const SolidId s : std::set<SolidId>(mesh_.hex_solid.begin(), mesh_.hex_solid.end())) {
             std::vector<char> inside(mesh_.hex_solid.size(), 0);
             for (std::size_t h = 0; h < inside.size(); ++h) {
                 inside[h] = mesh_.hex_solid[h] == s ? 1 : 0;
             }
             any = insert(inside, seeds) || any;
         }
-        return finish(any ? PillowFault::none : together);
+        return finish(any ? PillowFault::none : attempt_.fault);
     }
 
 private:
@@ -374,33 +375,53 @@ PAVIOR_INLINE PillowedSolids pillow_solids(const AnyModel& b, SolidsMesh& mesh, 
         return result;
     }
     SolidsMesh best = mesh;
-    const auto take = [&](SolidsMesh& made, PillowAttempt attempt) {
-        if (attempt.min_jacobian > result.after) {
+    const auto take = [&](SolidsMesh& made, PillowAttempt attempt, double least_rise) {
+        if (attempt.min_jacobian >= result.after + least_rise) {
             result.after = attempt.min_jacobian;
             result.taken = result.attempts.size();
             best = std::move(made);
         }
         result.attempts.push_back(std::move(attempt));
     };
-    SolidsMesh slid = mesh;
-    PillowAttempt sliding;
-    sliding.min_jacobian = detail::SlidingImprover(b, options, slid).run(slid.mesh.nodes.size());
-    take(slid, std::move(sliding));
-    for (const detail::PillowSeeds seeds : {detail::PillowSeeds::flat, detail::PillowSeeds::worst}) {
-        if (result.after >= options.enough || late()) {
-            break;
-        }
-        check_stop(options.execution.stop);
+    const auto insert = [&](bool apart, detail::PillowSeeds seeds) {
+        constexpr double worth = 0.02;  // a rise by less is not worth a layer
         SolidsMesh made = mesh;
-        PillowAttempt attempt = detail::LayerInserter(options, result.before, made).run(seeds);
-        if (attempt.faces.empty() || attempt.faces == result.attempts.back().faces) {
-            continue;
+        detail::LayerInserter inserter(options, result.before, made);
+        PillowAttempt attempt = apart ? inserter.apart(seeds) : inserter.together(seeds);
+        attempt.apart = apart;
+        const bool known = std::any_of(result.attempts.begin(), result.attempts.end(), [&](const PillowAttempt& a) {
+            return a.faces == attempt.faces && a.apart == apart;
+        });
+        if (attempt.faces.empty() || known) {
+            return;
         }
         if (attempt.fault == PillowFault::none) {
             const double least = detail::SlidingImprover(b, options, made).run(mesh.mesh.nodes.size());
             attempt.min_jacobian = check_mesh(made.mesh, options.execution).verify.ok() ? least : -1;
         }
-        take(made, std::move(attempt));
+        take(made, std::move(attempt), worth);
+    };
+    const auto enough = [&] {
+        check_stop(options.execution.stop);
+        return result.after >= options.enough || late();
+    };
+    const bool several =
+        std::any_of(mesh.hex_solid.begin(), mesh.hex_solid.end(), [&](SolidId s) { return s != mesh.hex_solid[0]; });
+    const auto layered = [&](detail::PillowSeeds seeds) {
+        insert(false, seeds);
+        if (several && !enough()) {
+            insert(true, seeds);
+        }
+    };
+    layered(detail::PillowSeeds::flat);
+    if (!enough()) {
+        SolidsMesh made = mesh;
+        PillowAttempt attempt;
+        attempt.min_jacobian = detail::SlidingImprover(b, options, made).run(made.mesh.nodes.size());
+        take(made, std::move(attempt), 1e-3);
+    }
+    if (!enough()) {
+        layered(detail::PillowSeeds::worst);
     }
     mesh = std::move(best);
     return result;

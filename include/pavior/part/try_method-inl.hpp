@@ -128,7 +128,13 @@ inline void insert_layers(Trial& trial, double enough) {
     HexMeshData made;
     made.mesh = std::move(mesh.mesh);
     made.quads = std::move(mesh.quads);
-    if (trial.distance && trial.distance(made) > trial.distance(result.data) + as_near * own.size) {
+    const auto distance = [&](const HexMeshData& data, const std::vector<FaceId>& faces) {
+        return trial.distance
+                   ? trial.distance(data)
+                   : cad_deviation(trial.model, trial.solids, data.mesh.nodes, data.quads, faces, 0, own.size)
+                         .distance.value_or(0);
+    };
+    if (distance(made, mesh.quad_face) > distance(result.data, result.quad_face) + as_near * own.size) {
         return;
     }
     result.notes.push_back(note_of(trial.model, pillowed));

@@ -123,7 +123,8 @@ private:
             }
             const QuadCorners& c = rows[i].first;
             if (i + 2 < rows.size() && rows[i + 2].first == c) {
-                throw InputError(ErrorCode::non_manifold, "a quad of more than two hexahedra", {c[0], c[1], c[2], c[3]});
+                throw InputError(ErrorCode::non_manifold, "a quad of more than two hexahedra",
+                                 {c[0], c[1], c[2], c[3]});
             }
             if (!opposite(face(rows[i].second), face(rows[i + 1].second))) {
                 throw InputError(ErrorCode::bad_orientation, "two hexahedra see a quad from one side",
@@ -315,7 +316,8 @@ private:
         double least = 0;
         for (std::size_t i = 0; i < ends.size(); ++i) {
             for (std::size_t j = i + 1; j < ends.size(); ++j) {
-                least = std::min(least, (x_[ends[i]] - x_[node]).normalized().dot((x_[ends[j]] - x_[node]).normalized()));
+                least =
+                    std::min(least, (x_[ends[i]] - x_[node]).normalized().dot((x_[ends[j]] - x_[node]).normalized()));
             }
         }
         return (1.0 + 0.5 * least) * part_of_way(slot, node, to);
@@ -371,8 +373,7 @@ private:
         std::sort(spokes.begin(), spokes.end());
         std::sort(labels.begin(), labels.end());
         labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
-        return labels.size() > 1 ? way_on_line(twin, node, spokes, labels.size())
-                                 : way_on_face(twin, node, spokes);
+        return labels.size() > 1 ? way_on_line(twin, node, spokes, labels.size()) : way_on_face(twin, node, spokes);
     }
 
     /// Along the one line on which all faces at the node meet.
@@ -539,8 +540,8 @@ private:
         for (const Index s : IndexRange(slots_.size())) {
             data_.mesh.hexes[slots_[s]] = moved_[s];
         }
-        data_.mesh.hexes.insert(data_.mesh.hexes.end(),
-                                moved_.begin() + static_cast<std::ptrdiff_t>(slots_.size()), moved_.end());
+        data_.mesh.hexes.insert(data_.mesh.hexes.end(), moved_.begin() + static_cast<std::ptrdiff_t>(slots_.size()),
+                                moved_.end());
         for (const Index h : report_.hex_from) {
             if (!data_.hex_groups.empty()) {
                 data_.hex_groups.push_back(data_.hex_groups[h]);
@@ -553,13 +554,13 @@ private:
     const PillowOptions& options_;
     std::span<const Vec3> x_;
     std::vector<char> chosen_quad_, touched_;
-    std::vector<Index> slots_;    ///< hexahedra, ascending
-    std::vector<Index> partner_;  ///< of faces
+    std::vector<Index> slots_;                      ///< hexahedra, ascending
+    std::vector<Index> partner_;                    ///< of faces
     std::vector<std::vector<std::size_t>> listed_;  ///< quads on faces of the set
     std::vector<char> is_chosen_;
-    std::vector<Index> on_;      ///< a face of the set for each quad
-    std::vector<Index> chosen_;  ///< faces
-    std::vector<Index> twin_;    ///< of corners; no_index: none
+    std::vector<Index> on_;                              ///< a face of the set for each quad
+    std::vector<Index> chosen_;                          ///< faces
+    std::vector<Index> twin_;                            ///< of corners; no_index: none
     std::vector<std::pair<Index, Index>> corners_of_;    ///< doubles and the corners that take them
     std::vector<std::pair<Index, Index>> chosen_edges_;  ///< doubles and nodes at the other end
     std::vector<Index> rims_;                            ///< doubles at ends of rim edges

@@ -100,8 +100,8 @@ template <hex_mesh M, class Quad>
     PillowedMesh result;
     result.data.mesh = to_hex_mesh(mesh);
     for (const Quad& q : quads) {
-        result.data.quads.push_back({static_cast<Index>(q[0]), static_cast<Index>(q[1]), static_cast<Index>(q[2]),
-                                     static_cast<Index>(q[3])});
+        result.data.quads.push_back(
+            {static_cast<Index>(q[0]), static_cast<Index>(q[1]), static_cast<Index>(q[2]), static_cast<Index>(q[3])});
     }
     result.data.quad_groups.assign(quad_groups.begin(), quad_groups.end());
     result.report = pillow(result.data, chosen, options);
