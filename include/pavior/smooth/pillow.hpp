@@ -88,7 +88,7 @@ struct PillowedMesh {
 ///                between two hexahedra is chosen as that of the one in the shrink set.
 /// \throws InputError bad_option (fraction), size_mismatch (shrink, groups), bad_index (positions or nodes out of range;
 /// a chosen quad on no hexahedron of the set, or between two of it), non_manifold and bad_orientation as boundary_quads()
-/// O(n) and O(k log k) in the k hexahedra that touch the chosen quads. One thread.
+/// O(n), O(q log q) in the quads and O(k log k) in the k hexahedra that touch chosen ones. One thread.
 PAVIOR_INLINE PillowReport pillow(HexMeshData& data, std::span<const std::size_t> chosen,
                                   const PillowOptions& options = {});
 
