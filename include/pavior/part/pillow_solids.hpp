@@ -47,11 +47,11 @@ struct PillowedSolids {
 /// A layer lies under all faces that hang together smoothly or at concave edges, and leaves through the faces beside
 /// them; where it cannot conform, faces beside it join. Of several solids one layer goes through all, else each gets
 /// its own, also under faces that it shares.
-/// improve_hexes() follows, first with the boundary fixed, then sliding as in 2. The mesh changes only if the minimum rises, for
-/// a layer by 0.02 at least, and a mesh with a layer only counts if verify_hexes() finds no fault.
+/// improve_hexes() follows, first with the boundary fixed, then sliding as in 2. The mesh changes only if the minimum
+/// rises, for a layer by 0.02 at least, and a mesh with a layer only counts if verify_hexes() finds no fault.
 /// \param mesh  conforming, with quads on all faces; of faces that meet smoothly quads may bear the name of another one
-/// (nodes off their face by more than a twentieth of the size are held). In and out; old nodes, hexahedra and quads keep
-/// their places in the arrays.
+/// (nodes off their face by more than a twentieth of the size are held). In and out; old nodes, hexahedra and quads
+/// keep their places in the arrays.
 /// Deterministic unless out_of_time() strikes; the same bytes for any number of threads.
 /// O(n) where the mesh is good enough, or has no such hexahedra.
 /// \throws InputError bad_option, size_mismatch, bad_index; Stopped; what the model throws

@@ -110,8 +110,8 @@ inline void try_block(Trial& trial) {
     return note.str();
 }
 
-/// Nodes slide on faces and edges, and layers of hexahedra come under faces, where that raises the least scaled Jacobian
-/// and leaves the boundary as near to the model as it is.
+/// Nodes slide on faces and edges, and layers of hexahedra come under faces, where that raises the least scaled
+/// Jacobian and leaves the boundary as near to the model as it is.
 inline void insert_layers(Trial& trial, double enough) {
     constexpr double as_near = 0.05;  // of the size
     MethodTry& result = trial.result;

@@ -66,28 +66,29 @@ struct PillowedMesh {
 };
 
 /// Inserts a layer of hexahedra under some of the quads of \p data, the dual of which is a sheet parallel to them
-/// \cite mitchell1995. Nodes of the chosen quads stay where they are and get a double further in, which the hexahedra of
-/// the shrink set take; one hexahedron a chosen quad fills the gap. At the rim of the chosen quads the sheet leaves
+/// \cite mitchell1995. Nodes of the chosen quads stay where they are and get a double further in, which the hexahedra
+/// of the shrink set take; one hexahedron a chosen quad fills the gap. At the rim of the chosen quads the sheet leaves
 /// through the quads beside them: the rim stays where it is, doubles lie on mesh edges or quads of the neighbour, on
 /// the line between two groups where one leaves the rim. Quads that end on a chosen one, those of the boundary and
 /// those between solids, are continued through the layer by a strip of new quads of their group.
 ///
-/// Old entities keep their places in the arrays; new nodes come in the order of those that they double, new hexahedra in
-/// the order of the chosen quads, in the group of the hexahedron under them, new quads by the chosen quad and the quad
-/// that they continue, which they agree with in sense. A mesh that conforms still does.
+/// Old entities keep their places in the arrays; new nodes come in the order of those that they double, new hexahedra
+/// in the order of the chosen quads in data.quads, in the group of the hexahedron under them, new quads by the chosen quad and the
+/// quad that they continue, which they agree with in sense. A mesh that conforms still does.
 ///
-/// Doubles lie on mesh edges, else on the diagonals of the quads or hexahedra between chosen quads, less far where these
-/// meet at more than 90 degrees. Where a hexahedron would not be positive that was, and in the layer, they move back,
-/// to 1/32 of the way at the last. On curved faces they lie on chords: whoever knows the face can move them onto it
-/// (PillowReport::node_from) and improve_hexes() the rest.
+/// Doubles lie on mesh edges, else on the diagonals of the quads or hexahedra between chosen quads, less far where
+/// these meet at more than 90 degrees. Where a hexahedron would not be positive that was, and in the layer, they move
+/// back, to 1/32 of the way at the last. On curved faces they lie on chords: whoever knows the face can move them onto
+/// it (PillowReport::node_from) and improve_hexes() the rest.
 ///
-/// \param data    hexahedra, quads on them and their groups, in and out; unchanged if the layer has a fault. Quads of one
-///                group are one face; without quad_groups all are. Boundary quads that are not listed count as a group of
-///                their own, and their strips are not listed.
+/// \param data    hexahedra, quads on them and their groups, in and out; unchanged if the layer has a fault. Quads of
+///                one group are one face; without quad_groups all are. Boundary quads that are not listed count as a
+///                group of their own, and their strips are not listed.
 /// \param chosen  positions in data.quads, in any order; repeated positions and quads on one face count once. A quad
 ///                between two hexahedra is chosen as that of the one in the shrink set.
-/// \throws InputError bad_option (fraction), size_mismatch (shrink, groups), bad_index (positions or nodes out of range;
-/// a chosen quad on no hexahedron of the set, or between two of it), non_manifold and bad_orientation as boundary_quads()
+/// \throws InputError bad_option (fraction), size_mismatch (shrink, groups), bad_index (positions or nodes out of
+/// range; a chosen quad on no hexahedron of the set, or between two of it), non_manifold and bad_orientation as
+/// boundary_quads()
 /// O(n), O(q log q) in the quads and O(k log k) in the k hexahedra that touch chosen ones. One thread.
 PAVIOR_INLINE PillowReport pillow(HexMeshData& data, std::span<const std::size_t> chosen,
                                   const PillowOptions& options = {});
