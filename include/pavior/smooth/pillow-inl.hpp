@@ -43,7 +43,7 @@ public:
         walk_edges();
         check_rims();
         if (report_.ok()) {
-            aim();
+            way_ = ways(false);
         }
         if (report_.ok()) {
             place();
@@ -309,33 +309,39 @@ private:
 
     /// How far inward a double lies from its node: a part of the way to \p to.
     [[nodiscard]] Vec3 part_of_way(Index slot, Index node, Index to) const {
-        return (twin(slot, to) == to ? 1.0 : 0.5) * options_.fraction * (x_[to] - x_[node]);
+        const Vec3 way = x_[to] - x_[node];
+        return even_ ? Vec3(way.normalized()) : Vec3((twin(slot, to) == to ? 1.0 : 0.5) * options_.fraction * way);
     }
     /// The same across a cell between chosen quads, less far if the edges \p ends meet at more than 90 degrees.
     [[nodiscard]] Vec3 part_across(Index slot, Index node, Index to, std::span<const Index> ends) const {
         double least = 0;
+        Vec3 between = Vec3::Zero();
         for (std::size_t i = 0; i < ends.size(); ++i) {
+            between += (x_[ends[i]] - x_[node]).normalized();
             for (std::size_t j = i + 1; j < ends.size(); ++j) {
                 least =
                     std::min(least, (x_[ends[i]] - x_[node]).normalized().dot((x_[ends[j]] - x_[node]).normalized()));
             }
         }
-        return (1.0 + 0.5 * least) * part_of_way(slot, node, to);
+        return even_ ? between : Vec3((1.0 + 0.5 * least) * part_of_way(slot, node, to));
     }
     [[nodiscard]] bool chosen_edge(Index twin, Index to) const {
         return std::binary_search(chosen_edges_.begin(), chosen_edges_.end(), std::pair(twin, to));
     }
 
-    /// Sets the way of every double.
-    void aim() {
-        way_.assign(report_.node_from.size(), Vec3::Zero());
+    /// The way of every double; or as far in the middle of the directions that count, which is less good a shape as a
+    /// rule, but positive where no direction lies beyond a chosen quad.
+    [[nodiscard]] std::vector<Vec3> ways(bool even) {
+        even_ = even;
+        std::vector<Vec3> result(report_.node_from.size());
         for (std::size_t i = 0, end = 0; i < corners_of_.size(); i = end) {
             const Index twin = corners_of_[i].first;
             for (end = i; end < corners_of_.size() && corners_of_[end].first == twin; ++end) {
             }
             const auto around = std::span<const std::pair<Index, Index>>(corners_of_).subspan(i, end - i);
-            way_[twin - x_.size()] = way_on_faces(twin, around);
+            result[twin - x_.size()] = way_on_faces(twin, around);
         }
+        return result;
     }
 
     /// An edge of a face that holds a double.
@@ -499,28 +505,49 @@ private:
             must[s] = quality(corners(s), {}) > 0 ? 1 : 0;
         }
         doubles_.resize(way_.size());
-        constexpr int rounds = 5;
-        for (int round = 0; round <= rounds; ++round) {
+        const std::vector<Vec3> whole = way_;
+        const std::vector<char> left = halve_ways(must);
+        if (std::find(left.begin(), left.end(), 1) != left.end()) {
+            const std::vector<Vec3> even = ways(true);
+            for (std::size_t i = 0; i < way_.size(); ++i) {
+                way_[i] = left[i] != 0 ? Vec3(whole[i].norm() * even[i].normalized()) : way_[i];
+            }
+            static_cast<void>(halve_ways(must));
+        }
+    }
+
+    /// Halves the ways of the doubles of hexahedra that must be positive and are not, each up to five times.
+    /// \return the doubles of those that are left
+    std::vector<char> halve_ways(std::span<const char> must) {
+        constexpr int most = 5, most_rounds = 20;
+        std::vector<int> halved(way_.size(), 0);
+        std::vector<char> nearer(way_.size(), 0);
+        bool again = true;
+        for (int round = 0; again && round < most_rounds; ++round) {
             for (std::size_t i = 0; i < way_.size(); ++i) {
                 doubles_[i] = x_[report_.node_from[i]] + way_[i];
             }
-            std::vector<char> nearer(way_.size(), 0);
+            nearer.assign(way_.size(), 0);
             report_.inverted = 0;
             for (std::size_t m = 0; m < moved_.size(); ++m) {
-                if (quality(moved_[m], doubles_) > 0) {
-                    continue;
-                }
-                ++report_.inverted;
+                const bool positive = quality(moved_[m], doubles_) > 0;
+                report_.inverted += positive ? 0 : 1;
                 for (const Index i : moved_[m]) {
-                    if (must[m] != 0 && i >= x_.size()) {
+                    if (!positive && must[m] != 0 && i >= x_.size()) {
                         nearer[i - x_.size()] = 1;
                     }
                 }
             }
-            for (std::size_t i = 0; i < way_.size() && round < rounds; ++i) {
-                way_[i] *= nearer[i] != 0 ? 0.5 : 1.0;
+            again = false;
+            for (std::size_t i = 0; i < way_.size(); ++i) {
+                if (nearer[i] != 0 && halved[i] < most) {
+                    way_[i] *= 0.5;
+                    ++halved[i];
+                    again = true;
+                }
             }
         }
+        return nearer;
     }
 
     void write() {
@@ -565,6 +592,7 @@ private:
     std::vector<std::pair<Index, Index>> chosen_edges_;  ///< doubles and nodes at the other end
     std::vector<Index> rims_;                            ///< doubles at ends of rim edges
     std::vector<QuadCorners> strips_;
+    bool even_ = false;
     std::vector<Vec3> way_, doubles_;
     std::vector<HexCorners> moved_;  ///< those in slots, then the layer
     PillowReport report_;
