@@ -78,8 +78,8 @@ struct PillowedMesh {
 ///
 /// Doubles lie on mesh edges, else on the diagonals of the quads or hexahedra between chosen quads, less far where
 /// these meet at more than 90 degrees. Where a hexahedron would not be positive that was, and in the layer, they move
-/// back, to 1/32 of the way at the last. On curved faces they lie on chords: whoever knows the face can move them onto
-/// it (PillowReport::node_from) and improve_hexes() the rest.
+/// back, to 1/32 of the way at the last, then the same in the middle of the directions that count. On curved faces they
+/// lie on chords: whoever knows the face can move them onto it (PillowReport::node_from) and improve_hexes() the rest.
 ///
 /// \param data    hexahedra, quads on them and their groups, in and out; unchanged if the layer has a fault. Quads of
 ///                one group are one face; without quad_groups all are. Boundary quads that are not listed count as a
