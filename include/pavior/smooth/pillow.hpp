@@ -73,8 +73,8 @@ struct PillowedMesh {
 /// those between solids, are continued through the layer by a strip of new quads of their group.
 ///
 /// Old entities keep their places in the arrays; new nodes come in the order of those that they double, new hexahedra
-/// in the order of the chosen quads in data.quads, in the group of the hexahedron under them, new quads by the chosen quad and the
-/// quad that they continue, which they agree with in sense. A mesh that conforms still does.
+/// in the order of the chosen quads in data.quads, in the group of the hexahedron under them, new quads by the chosen
+/// quad and the quad that they continue, which they agree with in sense. A mesh that conforms still does.
 ///
 /// Doubles lie on mesh edges, else on the diagonals of the quads or hexahedra between chosen quads, less far where
 /// these meet at more than 90 degrees. Where a hexahedron would not be positive that was, and in the layer, they move
