@@ -60,6 +60,23 @@ TEST_CASE("Each method by itself meshes what it can, with notes") {
     CHECK_THAT(block.reason, Catch::Contains("none"));
 }
 
+TEST_CASE("Flat hexahedra of a swept disc get a layer under the wall, and a note says so") {
+    TestBrep b;
+    const std::vector<SolidId> solids{add_cylinder(b, 2, 2, 1)};  // faces: wall 1, bottom 2, top 3
+    const MethodTry result = tried(PartMethod::sweep, b, solids, GridCap<TestBrep>{&b});
+    INFO(result.reason);
+    CHECK(result.outcome == TryOutcome::mesh);
+    CHECK(result.min_jacobian > 0.3);
+    CHECK_THAT(result.notes.back(), Catch::Contains("a layer of hexahedra under face 1: least scaled Jacobian"));
+    CHECK(result.data.hex_groups == std::vector<std::int32_t>(result.data.mesh.hexes.size(), 1));
+    REQUIRE(result.data.quad_groups.size() == result.data.quads.size());
+    REQUIRE(result.quad_face.size() == result.data.quads.size());
+    for (std::size_t q = 0; q < result.data.quads.size(); ++q) {
+        CHECK(result.data.quad_groups[q] == result.quad_face[q].value + 1);
+    }
+    CHECK(result.hex_solid.size() == result.hexahedra);
+}
+
 TEST_CASE("Other tetrahedra are taken where those before have no blocks, if faces are curved") {
     const std::string file = std::string(PAVIOR_EXAMPLE_DATA) + "/hexme/s15o_cylinder.stp";
     const GmshBrep cylinder = GmshBrep::load(file);

@@ -75,6 +75,12 @@ public:
             });
             State at = std::move(*best);
             open_.erase(best);
+            if (at.complete() && at.clashes > 0 && !at.cuts.empty()) {
+                mesh_pieces(at);
+                if (at.complete()) {
+                    mesh(at);
+                }
+            }
             expand(at);
         }
         return std::move(result_);
@@ -140,7 +146,7 @@ private:
                 at.clashes += !is_first && clash(at.methods[other->second], at.methods[i]) ? 1 : 0;
             }
         }
-        at.cost += options_.costs.misfit * static_cast<double>(at.clashes);
+        at.cost += options_.costs.clash * static_cast<double>(at.clashes);
     }
 
     [[nodiscard]] static bool clash(const PieceMethods& a, const PieceMethods& b) {

@@ -31,8 +31,8 @@ struct CutCosts {
     double cusp = 0.3;         ///< each
     double poor = 0.4;         ///< a piece whose own mesh has a quality below `sufficient`
     double sufficient = 0.2;
-    double misfit = 0.5;  ///< pieces that cannot be meshed together, or two that touch and are only swept many-to-many,
-                          ///< in different directions
+    double misfit = 0.5;  ///< pieces that cannot be meshed together
+    double clash = 0.25;  ///< two that touch and are only swept many-to-many, in different directions
 };
 
 [[nodiscard]] inline double cost(const PieceMethods& piece, const CutCosts& costs = {}) {

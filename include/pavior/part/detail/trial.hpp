@@ -21,6 +21,8 @@ struct Trial {
     const std::function<bool()>& out_of_time;
     MethodTry& result;
     double seconds = 0;  ///< limit; 0: none
+    /// How far a mesh of the method is from the model, where the method knows more of it than the faces of its quads.
+    std::function<double(const HexMeshData&)> distance = {};
 
     /// Wished length of mesh edges.
     [[nodiscard]] double size() const { return options.size > 0 ? options.size : model.diagonal() / 12; }
