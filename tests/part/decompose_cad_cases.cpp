@@ -1,4 +1,5 @@
-// Solids that are cut before they are meshed, of CAD files: features, groups, senses of quads, the same bytes each time.
+// Solids that are cut before they are meshed, of CAD files: features, groups, senses of quads, the same bytes each
+// time.
 #include "support/catch.hpp"
 #include "support/feature_checks.hpp"
 #include "support/occ_solids.hpp"

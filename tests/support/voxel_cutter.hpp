@@ -40,8 +40,8 @@ struct VoxelPieces {
     std::vector<SolidId> solid;
 };
 
-/// Planes of the lattice divide the cells of a solid; pieces are what hangs together by faces on one side of all planes.
-/// Nothing where a surface is none of these planes, or does not divide.
+/// Planes of the lattice divide the cells of a solid; pieces are what hangs together by faces on one side of all
+/// planes. Nothing where a surface is none of these planes, or does not divide.
 class VoxelCutter {
 public:
     explicit VoxelCutter(Voxels voxels) : voxels_(std::move(voxels)) {}

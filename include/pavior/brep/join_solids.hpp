@@ -139,8 +139,8 @@ template <brep B>
     return result;
 }
 
-/// Appends \p other to \p mesh: its nodes with a number in \p same (given_nodes()) are those of \p mesh, the others come
-/// behind, and quads of faces for which \p given holds any are left out. O(both).
+/// Appends \p other to \p mesh: its nodes with a number in \p same (given_nodes()) are those of \p mesh, the others
+/// come behind, and quads of faces for which \p given holds any are left out. O(both).
 PAVIOR_INLINE void join_solids(const SolidsMesh& other, std::span<const Index> same, const BoundaryMesh& given,
                                SolidsMesh& mesh);
 

@@ -34,11 +34,11 @@ namespace detail {
 
 }  // namespace detail
 
-/// A model in which faces that go on in each other are one; models brep. Two faces are one if they share an edge that no
-/// other face has, lie on one surface (within 1e-7 of their size), and bound the same solids on the same sides. Faces
-/// with seams, and those that together close round a period of their surface (a whole cylinder, a dome round its pole),
-/// stay apart. The first face stands for all; the others bound no solid any more, but keep their ids. Ids, tags and
-/// parameters are those of the model, to which it keeps a reference; all_tags() of a joined face are those of all.
+/// A model in which faces that go on in each other are one; models brep. Two faces are one if they share an edge that
+/// no other face has, lie on one surface (within 1e-7 of their size), and bound the same solids on the same sides.
+/// Faces with seams, and those that together close round a period of their surface (a whole cylinder, a dome round its
+/// pole), stay apart. The first face stands for all; the others bound no solid any more, but keep their ids. Ids, tags
+/// and parameters are those of the model, to which it keeps a reference; all_tags() of a joined face are those of all.
 /// O(edges) evaluations of the model to make.
 template <brep B>
 class JoinedFaces {

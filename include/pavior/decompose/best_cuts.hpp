@@ -275,9 +275,9 @@ struct TrustPiece {
 /// Looks for cuts of \p solids after which they can be meshed: best first by cost() of the pieces, which recognition
 /// alone tells. Where that finds a method for every piece, piece_quality(pieces, piece, methods), once for each piece,
 /// is the least scaled Jacobian of a mesh of it alone, below 0 if there is none; where all pieces have one,
-/// verdict(pieces, solids of the pieces' model, methods of each), a PiecesVerdict, meshes them together. The piece that
-/// costs most is cut next, or the one that spoils the mesh, by one of cut_candidates(). \p cutter is a solid_cutter of the
-/// model that \p solids belong to, \p P what it makes, \p out_of_time() ends the search early.
+/// verdict(pieces, solids of the pieces' model, methods of each), a PiecesVerdict, meshes them together. The piece
+/// that costs most is cut next, or the one that spoils the mesh, by one of cut_candidates(). \p cutter is a
+/// solid_cutter of the model that \p solids belong to, \p P what it makes, \p out_of_time() ends the search early.
 /// Deterministic if the callables are. A call of the cutter for each try, of recognise_piece() for each new piece.
 /// \throws Stopped; what the callables throw
 template <solid_pieces P, solid_cutter<P> Cutter, integer_solver Solver, class Verdict, std::predicate OutOfTime,

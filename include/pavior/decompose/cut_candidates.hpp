@@ -427,9 +427,9 @@ private:
 
 /// Cuts of \p solid worth a try, in the order in which they tend to help: surfaces that stand upright at the feet of
 /// concave blends; planes and cylinders that go on beyond concave edges; planes through the saddles of junctions of
-/// cylinders whose axes meet, as sets; planes through axes; slabs, boxes and cylinders round holes; planes of faces and
-/// circles; planes between holes of different directions. Surfaces that leave the solid on one side are left out, and so
-/// is what came before. O(edges squared).
+/// cylinders whose axes meet, as sets; planes through axes; slabs, boxes and cylinders round holes; planes of faces
+/// and circles; planes between holes of different directions. Surfaces that leave the solid on one side are left out,
+/// and so is what came before. O(edges squared).
 template <brep B>
 [[nodiscard]] std::vector<CutCandidate> cut_candidates(const B& b, SolidId solid) {
     return detail::CutFinder<B>(b, solid).run();

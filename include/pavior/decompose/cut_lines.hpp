@@ -27,7 +27,8 @@ struct CircleArc {
 /// The middle between two lines that come closer than \p tolerance; nothing for parallel ones and others.
 [[nodiscard]] PAVIOR_INLINE std::optional<Vec3> common_point(const Axis& a, const Axis& b, double tolerance);
 
-/// Positive on one side of a surface, negative on the other. Of a half-plane: as the whole plane, but 0 beyond its line.
+/// Positive on one side of a surface, negative on the other. Of a half-plane: as the whole plane, but 0 beyond its
+/// line.
 [[nodiscard]] PAVIOR_INLINE double signed_distance(const CutSurface& surface, const Vec3& x);
 
 /// Of one kind and in one place.

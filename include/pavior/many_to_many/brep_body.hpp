@@ -32,8 +32,8 @@ template <brep B>
 class BrepBody {
 public:
     /// \p chord, \p spacing: largest chord error and largest distance of the points of the polylines. Solid i of the
-    /// body is solids[i]. The mesh of the faces and edges that \p given holds (neighbour_boundary(); null: none) becomes
-    /// part of the body; it is kept by reference only while the body is made.
+    /// body is solids[i]. The mesh of the faces and edges that \p given holds (neighbour_boundary(); null: none)
+    /// becomes part of the body; it is kept by reference only while the body is made.
     /// \throws UnmeshableError not_sweepable where \p extrusion has refusals, an edge between two sides turns back, or
     /// the given mesh of a side is no grid along the direction
     BrepBody(const B& b, std::span<const SolidId> solids, const Extrusion& extrusion, double chord, double spacing,

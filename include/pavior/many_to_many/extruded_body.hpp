@@ -53,9 +53,9 @@ struct ExtrudedSide {
     int tag = 0;
 };
 
-/// All coordinates are those of the frame: two in the plane, and the height along the direction. A mesh that is given on
-/// a face is part of the body: its edges across the direction are curves (those inside a cap are named twice there, those
-/// inside a side by no side), its edges along it are steps.
+/// All coordinates are those of the frame: two in the plane, and the height along the direction. A mesh that is given
+/// on a face is part of the body: its edges across the direction are curves (those inside a cap are named twice there,
+/// those inside a side by no side), its edges along it are steps.
 struct ExtrudedBody {
     ExtrusionFrame frame;
     std::vector<Vec3> vertices;

@@ -183,8 +183,9 @@ PAVIOR_INLINE void add_steps(const ExtrudedBody& body, const LevelClasses& class
 
 }  // namespace detail
 
-/// Assigns levels such that every entity that lies above another one has a higher level, and gaps are divided as evenly
-/// into layers of height \p size as that allows; the steps of the body are one layer high. \p solver turns an IntegerProgram into an IntegerSolution.
+/// Assigns levels such that every entity that lies above another one has a higher level, and gaps are divided as
+/// evenly into layers of height \p size as that allows; the steps of the body are one layer high. \p solver turns an
+/// IntegerProgram into an IntegerSolution.
 /// \throws UnmeshableError not_sweepable naming faces where slanted caps lead from one level to another that lies above
 /// it; infeasible_intervals where no levels satisfy all columns and steps
 template <extruded_geometry G, integer_solver Solver>

@@ -241,13 +241,13 @@ private:
 }  // namespace detail
 
 /// Sweeps \p solids along each path on which every face is a cap or a side: the directions that recognise_extrusions()
-/// finds possible, best first, then circles round the axes of their faces (revolution_axes(), unroll_round()), then, if
-/// there is no mesh yet, a curve parallel to their edges (sweep_paths(), spine_along(); boundary nodes are snapped to
-/// the faces, which CAD kernels approximate there). Each is tried with the merging tolerance of \p options, without
-/// merging, and, where that makes no mesh, with a twentieth of the chord error for very short edges, until a mesh has a
-/// least scaled Jacobian of \p sufficient; otherwise the best counts. A mesh with a boundary node farther from its face
-/// than 1e-4 times the size is none, nor is one that differs from what is \p given of its boundary (given_nodes(); null:
-/// nothing is). Nothing is tried once out_of_time() is true. Callables as for multi_sweep().
+/// finds possible, best first, then circles round the axes of their faces (revolution_axes(), unroll_round()), then,
+/// if there is no mesh yet, a curve parallel to their edges (sweep_paths(), spine_along(); boundary nodes are snapped
+/// to the faces, which CAD kernels approximate there). Each is tried with the merging tolerance of \p options, without
+/// merging, and, where that makes no mesh, with a twentieth of the chord error for very short edges, until a mesh has
+/// a least scaled Jacobian of \p sufficient; otherwise the best counts. A mesh with a boundary node farther from its
+/// face than 1e-4 times the size is none, nor is one that differs from what is \p given of its boundary
+/// (given_nodes(); null: nothing is). Nothing is tried once out_of_time() is true. Callables as for multi_sweep().
 /// \throws UnmeshableError not_sweepable naming faces where no path is possible; InputError as multi_sweep()
 template <brep B, plane_imprinter I, integer_solver Solver, region_mesher M, class OutOfTime>
 [[nodiscard]] BestMultiSweep best_multi_sweep(const B& b, std::span<const SolidId> solids,

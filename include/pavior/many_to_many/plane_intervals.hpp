@@ -52,10 +52,10 @@ struct PolylineSize {
 /// Divides the edges of \p plane into intervals of about edge_sizes[e] that turn by at most \p max_angle (radians)
 /// each: every loop of a cell that is \p wanted (one flag each) gets an even number, at least four. Cells with four
 /// corners get equal opposite sides, so that they can be filled with a grid, unless all together that is impossible or
-/// makes some edge's number deviate from its wish by more than a factor of three more than without. Edges that are
-/// \p given (one flag each; empty: none) get one interval; a cell of four of them is bound by no rule. Where equal
-/// opposite sides contradict them, only cells without given edges keep theirs. \p solver turns an IntegerProgram into an
-/// IntegerSolution.
+/// makes some edge's number deviate from its wish by more than a factor of three more than without. Edges that are \p
+/// given (one flag each; empty: none) get one interval; a cell of four of them is bound by no rule. Where equal
+/// opposite sides contradict them, only cells without given edges keep theirs. \p solver turns an IntegerProgram into
+/// an IntegerSolution.
 /// \throws UnmeshableError infeasible_intervals where the solver fails, or the given edges leave no numbers (without
 /// them numbers exist always: all edges even)
 template <integer_solver Solver>

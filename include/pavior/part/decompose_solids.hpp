@@ -17,8 +17,8 @@
 
 namespace pavior {
 
-/// Meshes some pieces by one method: mesh(method, pieces, solids of their model); an invalid mesh or none is told by the
-/// outcome.
+/// Meshes some pieces by one method: mesh(method, pieces, solids of their model); an invalid mesh or none is told by
+/// the outcome.
 using PieceMesher =
     std::function<MethodTry(PartMethod method, const ModelPieces& pieces, std::span<const SolidId> solids)>;
 
@@ -30,9 +30,9 @@ struct DecomposedSolids {
     std::vector<PieceMethods> methods;  ///< one for each piece
 };
 
-/// Searches cuts of \p solids (best_cuts()) after which \p mesh makes a valid mesh of all pieces by submap, sweep or the
-/// mixed method. Quads between pieces of one solid are left out, hexahedra and quads belong to the solids and faces of
-/// \p model. Nothing is tried once out_of_time() is true. Deterministic if the callables are.
+/// Searches cuts of \p solids (best_cuts()) after which \p mesh makes a valid mesh of all pieces by submap, sweep or
+/// the mixed method. Quads between pieces of one solid are left out, hexahedra and quads belong to the solids and
+/// faces of \p model. Nothing is tried once out_of_time() is true. Deterministic if the callables are.
 /// \throws Stopped; what \p cut and \p mesh throw
 [[nodiscard]] PAVIOR_INLINE DecomposedSolids decompose_solids(const AnyModel& model, std::span<const SolidId> solids,
                                                               const SolidCutter& cut, const IntegerSolver& solver,

@@ -179,8 +179,8 @@ private:
         done.insert(done.end(), group.begin(), group.end());
     }
 
-    /// The mesh of all groups, each of which takes its levels at edges along its direction from the neighbours for which
-    /// these edges lie in the plane, where other edges may end on them: as they divide them alone.
+    /// The mesh of all groups, each of which takes its levels at edges along its direction from the neighbours for
+    /// which these edges lie in the plane, where other edges may end on them: as they divide them alone.
     [[nodiscard]] SolidsMesh sweep_with_levels(const std::vector<std::vector<SolidId>>& groups) const {
         std::vector<MultiSweptModel> alone;
         for (const std::vector<SolidId>& group : groups) {

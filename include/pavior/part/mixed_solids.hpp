@@ -35,10 +35,10 @@ struct MixedSolids : SolidsMesh {
 ///
 /// Solids to be swept many-to-many that touch are swept together where they have one direction, else in groups of one
 /// direction each (sweep_groups()), one after the other: the later ones keep the nodes of the earlier ones, quad for
-/// quad. A face between them may be a side of both (a grid in both), a cap that lies on a side (it takes that grid), or
-/// a cap of both. A group that cannot take what the earlier ones give comes first then; where no order helps, each takes
-/// its levels from the neighbours first. They are refused where that fails, too: a cap whose quads are no grid beside a
-/// side, edges of other levels that meet a given side or cap between its nodes.
+/// quad. A face between them may be a side of both (a grid in both), a cap that lies on a side (it takes that grid),
+/// or a cap of both. A group that cannot take what the earlier ones give comes first then; where no order helps, each
+/// takes its levels from the neighbours first. They are refused where that fails, too: a cap whose quads are no grid
+/// beside a side, edges of other levels that meet a given side or cap between its nodes.
 ///
 /// Where solids are refused so, or come out inverted, they are seen in more ways: first sides of one-to-one sweeps may
 /// run round corners of 270 degrees (StackingOptions::flat_notches), then faces that go on in each other across an edge
@@ -47,8 +47,8 @@ struct MixedSolids : SolidsMesh {
 ///
 /// The result is not verified; use verify_hexes(). Deterministic if the callables are, but for out_of_time().
 /// \throws UnmeshableError naming solids and faces if a solid admits no method, or none that fits its neighbours:
-/// groups as above, faces with unstructured quads that no neighbour can sweep from, demands on numbers of intervals that
-/// contradict each other; InputError bad_option (size)
+/// groups as above, faces with unstructured quads that no neighbour can sweep from, demands on numbers of intervals
+/// that contradict each other; InputError bad_option (size)
 [[nodiscard]] PAVIOR_INLINE MixedSolids mixed_solids(const AnyModel& b, std::span<const SolidId> solids,
                                                      const MixedOptions& options, const Kernels& kernels,
                                                      const std::function<bool()>& out_of_time);

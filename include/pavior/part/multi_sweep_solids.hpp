@@ -12,8 +12,8 @@
 
 namespace pavior {
 
-/// best_multi_sweep() of any model with \p kernels, good enough at a least scaled Jacobian of 0.3. \p given: the mesh of
-/// neighbours that is kept, null for none.
+/// best_multi_sweep() of any model with \p kernels, good enough at a least scaled Jacobian of 0.3. \p given: the mesh
+/// of neighbours that is kept, null for none.
 [[nodiscard]] PAVIOR_INLINE BestMultiSweep multi_sweep_solids(const AnyModel& b, std::span<const SolidId> solids,
                                                               const MultiSweepOptions& options, const Kernels& kernels,
                                                               const std::function<bool()>& out_of_time,

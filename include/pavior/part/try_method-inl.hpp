@@ -152,7 +152,8 @@ inline void insert_layers(Trial& trial, double enough) {
     result.data = std::move(made);
 }
 
-/// Raises the least scaled Jacobian where it is low, also by sliding nodes on plane faces, and by \p layers where asked.
+/// Raises the least scaled Jacobian where it is low, also by sliding nodes on plane faces, and by \p layers where
+/// asked.
 inline void improve(Trial& trial, bool layers) {
     constexpr double enough = 0.3;
     const Execution& execution = trial.options.execution;
