@@ -12,9 +12,9 @@
 
 namespace pavior::test {
 
-/// Points of the edges of a solid.
+/// Points of the edges and faces of a solid.
 template <brep B>
-std::vector<Vec3> edge_points(const B& b, SolidId solid) {
+std::vector<Vec3> boundary_points(const B& b, SolidId solid) {
     std::vector<Vec3> points;
     for (const OrientedFace& f : b.solid_faces(solid)) {
         for (const EdgeLoop& loop : b.face_loops(f.face)) {
@@ -25,6 +25,9 @@ std::vector<Vec3> edge_points(const B& b, SolidId solid) {
                 }
             }
         }
+        for (const Vec2& uv : detail::face_samples(b, f.face)) {  // inside a disc, too
+            points.push_back(b.face_point(f.face, uv));
+        }
     }
     return points;
 }
@@ -34,7 +37,7 @@ std::vector<Vec3> edge_points(const B& b, SolidId solid) {
 template <brep B>
 std::vector<CutCandidate> checked_candidates(const B& b, SolidId solid) {
     const std::vector<CutCandidate> result = cut_candidates(b, solid);
-    const std::vector<Vec3> points = edge_points(b, solid);
+    const std::vector<Vec3> points = boundary_points(b, solid);
     const double unit = 1e-9;
     for (std::size_t c = 0; c < result.size(); ++c) {
         CAPTURE(c, to_string(result[c].reason));

@@ -4,6 +4,7 @@
 
 #include <pavior/math/point.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -37,8 +38,9 @@ struct CutCosts {
 
 [[nodiscard]] inline double cost(const PieceMethods& piece, const CutCosts& costs = {}) {
     double result = costs.piece + costs.cusp * static_cast<double>(piece.cusps);
-    if (!piece.any()) {
-        result += costs.refused + costs.leaning * static_cast<double>(piece.leaning);
+    if (!piece.any()) {  // what looked well and cannot be meshed counts as one face that leans
+        result += costs.refused +
+                  costs.leaning * static_cast<double>(std::max<std::size_t>(piece.leaning, piece.quality < 0 ? 1 : 0));
     } else {
         result += piece.submap || piece.sweep ? 0.0 : costs.multi_sweep;
         result += piece.quality < costs.sufficient ? costs.poor : 0.0;
