@@ -57,7 +57,7 @@ struct PartOptions {
     /// mesh_file() and mesh_model() refuse otherwise.
     bool allow_slices = false;
     double max_hexahedra = 0;  ///< refused where more are to be expected by volume and size; 0: no limit
-    /// Tried in this order; empty: all but split, in the order of PartMethod, then the last resort.
+    /// Tried in this order; empty: submap, sweep, multi_sweep, mixed, decompose, block, then the last resort.
     std::vector<PartMethod> methods = {};
     /// With `methods` empty, cut solids into pieces that the first four methods mesh together.
     bool decompose = true;
