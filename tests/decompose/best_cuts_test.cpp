@@ -39,15 +39,6 @@ Voxels stair(int steps) {
     return voxels;
 }
 
-/// A box with arms in three directions.
-Voxels star() {
-    Voxels voxels(3, 3, 3);
-    voxels.fill({0, 1, 1}, {3, 2, 2}, 1);
-    voxels.fill({1, 0, 1}, {2, 3, 2}, 1);
-    voxels.fill({1, 1, 0}, {2, 2, 3}, 1);
-    return voxels;
-}
-
 /// What has no notch is a box here.
 template <class Pieces>
 bool are_boxes(const Pieces& pieces, std::span<const SolidId> solids) {

@@ -10,6 +10,7 @@
 #include <pavior/imprint/imprint.hpp>
 #include <pavior/mesh/verify_hexes.hpp>
 #include <pavior/part/decompose_solids.hpp>
+#include <pavior/part/detail/hex_jacobian.hpp>
 #include <pavior/part/mesh_part.hpp>
 #include <pavior/part/try_method.hpp>
 
@@ -35,15 +36,6 @@ using namespace pavior::test;
 namespace {
 
 constexpr auto endless = [] { return false; };
-
-/// A box with arms in three directions, on the lattice; what submapping takes, if it is cut or not.
-Voxels star() {
-    Voxels voxels(3, 3, 3);
-    voxels.fill({0, 1, 1}, {3, 2, 2}, 1);
-    voxels.fill({1, 0, 1}, {2, 3, 2}, 1);
-    voxels.fill({1, 1, 0}, {2, 2, 3}, 1);
-    return voxels;
-}
 
 /// A stair of two steps, a block on its foot.
 Voxels stair_and_block() {
@@ -245,6 +237,7 @@ TEST_CASE("Pieces are meshed together, and the mesh is told of the solids and fa
         REQUIRE(found.mesh.outcome == TryOutcome::mesh);
         CHECK(found.search.quality == found.mesh.min_jacobian);
         CHECK(found.search.quality >= 0.2);
+        CHECK(detail::least_scaled_jacobian(found.mesh.data.mesh) == found.search.quality);
         CHECK(found.search.tried == model.calls());
         CHECK_FALSE(found.search.cuts.empty());
         const std::optional<ModelPieces> pieces = model(found.search.cuts);

@@ -156,4 +156,13 @@ private:
 
 static_assert(solid_cutter<VoxelCutter, VoxelPieces>);
 
+/// A box with arms in three directions, on the lattice; what submapping takes, if it is cut or not.
+inline Voxels star() {
+    Voxels voxels(3, 3, 3);
+    voxels.fill({0, 1, 1}, {3, 2, 2}, 1);
+    voxels.fill({1, 0, 1}, {2, 3, 2}, 1);
+    voxels.fill({1, 1, 0}, {2, 2, 3}, 1);
+    return voxels;
+}
+
 }  // namespace pavior::test

@@ -75,11 +75,8 @@ public:
             });
             State at = std::move(*best);
             open_.erase(best);
-            if (at.complete() && at.clashes > 0 && !at.cuts.empty()) {
-                mesh_pieces(at);
-                if (at.complete()) {
-                    mesh(at);
-                }
+            if (at.clashes > 0 && !at.cuts.empty()) {
+                mesh_complete(at);
             }
             expand(at);
         }
@@ -107,15 +104,22 @@ private:
         at.next = worst_piece(at);
     }
 
-    /// Meshes the pieces of a new state if that makes sense, and keeps it.
+    /// Meshes pieces all of which a method takes, first each alone, then together.
+    void mesh_complete(State& at) {
+        if (at.complete()) {
+            mesh_pieces(at);
+        }
+        if (at.complete() && !done()) {
+            mesh(at);
+        }
+    }
+
+    /// Keeps a new state, meshed if that makes sense.
     void take(State at) {
         check_stop(options_.stop);
         at.next = worst_piece(at);
-        if (at.complete() && at.clashes == 0) {
-            mesh_pieces(at);
-        }
-        if (at.complete() && at.clashes == 0 && !done()) {
-            mesh(at);
+        if (at.clashes == 0) {
+            mesh_complete(at);
         }
         open_.push_back(std::move(at));
     }

@@ -35,11 +35,7 @@ public:
     CutFinder(const B& b, SolidId solid) : b_(b), angles_(edge_angles(b, solid)) {
         for (const OrientedFace& f : b.solid_faces(solid)) {
             faces_.push_back({f, face_shape(b, f)});
-            for (const EdgeLoop& loop : b.face_loops(f.face)) {
-                for (const OrientedEdge& use : loop) {
-                    add_points(use.edge);
-                }
-            }
+            for_each_edge_point(f.face, [&](const Vec3& x) { points_.push_back(x); });
             for (const Vec2& uv : face_samples(b, f.face)) {  // inside a disc, too
                 points_.push_back(b.face_point(f.face, uv));
             }
@@ -78,10 +74,16 @@ private:
         double low = 0, high = 0;    ///< extent along the axis
     };
 
-    void add_points(EdgeId e) {
-        const auto range = b_.edge_range(e);
-        for (int i = 0; i <= 8; ++i) {
-            points_.push_back(b_.edge_point(e, range[0] + (range[1] - range[0]) * i / 8));
+    /// Calls visit(x) with points of each edge of a face.
+    template <class Visit>
+    void for_each_edge_point(FaceId face, Visit&& visit) const {
+        for (const EdgeLoop& loop : b_.face_loops(face)) {
+            for (const OrientedEdge& use : loop) {
+                const auto range = b_.edge_range(use.edge);
+                for (int i = 0; i <= 8; ++i) {
+                    visit(b_.edge_point(use.edge, range[0] + (range[1] - range[0]) * i / 8));
+                }
+            }
         }
     }
 
@@ -99,20 +101,14 @@ private:
             double high = -1e300;
             double least = 1e300;
             double most = 0;
-            for (const EdgeLoop& loop : b_.face_loops(f.face.face)) {
-                for (const OrientedEdge& use : loop) {
-                    const auto range = b_.edge_range(use.edge);
-                    for (int i = 0; i <= 8; ++i) {
-                        const Vec3 x = b_.edge_point(use.edge, range[0] + (range[1] - range[0]) * i / 8);
-                        const double z = (x - f.shape.axis.origin).dot(f.shape.axis.direction);
-                        const double r = distance_to_line(x, f.shape.axis);
-                        low = std::min(low, z);
-                        high = std::max(high, z);
-                        least = std::min(least, r);
-                        most = std::max(most, r);
-                    }
-                }
-            }
+            for_each_edge_point(f.face.face, [&](const Vec3& x) {
+                const double z = (x - f.shape.axis.origin).dot(f.shape.axis.direction);
+                const double r = distance_to_line(x, f.shape.axis);
+                low = std::min(low, z);
+                high = std::max(high, z);
+                least = std::min(least, r);
+                most = std::max(most, r);
+            });
             const bool cylinder = f.shape.kind == FaceKind::cylinder;
             const auto same = std::find_if(axes_.begin(), axes_.end(), [&](const AxisGroup& g) {
                 return g.axis.direction.cross(f.shape.axis.direction).norm() < 1e-6 &&

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <pavior/decompose/best_cuts.hpp>
-#include <pavior/math/hexahedron.hpp>
 #include <pavior/part/decompose_solids.hpp>
+#include <pavior/part/detail/hex_jacobian.hpp>
 #include <pavior/part/entity_groups.hpp>
 
 #include <algorithm>
@@ -14,15 +14,10 @@ namespace detail {
 
 /// The solid of the worst hexahedron.
 [[nodiscard]] inline SolidId worst_solid(const MethodTry& mesh) {
-    const HexMesh& m = mesh.data.mesh;
     SolidId worst;
     double least = 2;
-    for (std::size_t h = 0; h < m.hexes.size(); ++h) {
-        HexPoints x;
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            x[i] = m.nodes[m.hexes[h][i]];
-        }
-        const double own = hex_scaled_jacobian(x);
+    for (std::size_t h = 0; h < mesh.data.mesh.hexes.size(); ++h) {
+        const double own = scaled_jacobian(mesh.data.mesh, h);
         if (own < least) {
             least = own;
             worst = mesh.hex_solid[h];

@@ -78,7 +78,7 @@ struct PartDecision {
 /// Hexahedra of a model, what they belong to, and how they came about.
 struct PartMesh {
     /// All meshes that were taken. Group numbers of hexahedra are tags of solids, those of quads tags of faces; quads
-    /// are the mesh of the faces, about the face's own normal (of blocks: seen from outside).
+    /// are the mesh of the faces, counter-clockwise seen from outside.
     HexMeshData data;
     std::vector<SolidId> hex_solid;       ///< of the model, one a hexahedron of data
     std::vector<FaceId> quad_face;        ///< of the model, one a quad of data

@@ -3,10 +3,10 @@
 #include <pavior/brep/node_entities.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/core/stop.hpp>
-#include <pavior/math/hexahedron.hpp>
 #include <pavior/mesh/edge_table.hpp>
 #include <pavior/mesh/mesh_check.hpp>
 #include <pavior/mesh/outward_quads.hpp>
+#include <pavior/part/detail/hex_jacobian.hpp>
 #include <pavior/part/entity_guide.hpp>
 #include <pavior/part/pillow_solids.hpp>
 #include <pavior/smooth/improve_hexes.hpp>
@@ -24,22 +24,6 @@
 namespace pavior {
 
 namespace detail {
-
-[[nodiscard]] inline double scaled_jacobian(const HexMesh& mesh, std::size_t h) {
-    HexPoints x;
-    for (std::size_t k = 0; k < 8; ++k) {
-        x[k] = mesh.nodes[mesh.hexes[h][k]];
-    }
-    return hex_scaled_jacobian(x);
-}
-
-[[nodiscard]] inline double least_scaled_jacobian(const HexMesh& mesh) {
-    double least = 1;
-    for (std::size_t h = 0; h < mesh.hexes.size(); ++h) {
-        least = std::min(least, scaled_jacobian(mesh, h));
-    }
-    return least;
-}
 
 /// The quads round some hexahedra, and at which angles they meet inside.
 class PillowSkin {

@@ -9,6 +9,7 @@
 #include <pavior/core/stopwatch.hpp>
 #include <pavior/math/hexahedron.hpp>
 #include <pavior/mesh/quality.hpp>
+#include <pavior/part/detail/hex_jacobian.hpp>
 #include <pavior/part/entity_guide.hpp>
 #include <pavior/part/split_solids.hpp>
 #include <pavior/smooth/improve_hexes.hpp>
@@ -218,21 +219,9 @@ private:
     /// What the next better mesh is not worth the time for.
     [[nodiscard]] double enough() const { return std::max(0.3, options_.sufficient); }
 
-    [[nodiscard]] double quality(std::size_t h) const {
-        HexPoints x;
-        for (std::size_t k = 0; k < 8; ++k) {
-            x[k] = mesh_.nodes[mesh_.hexes[h][k]];
-        }
-        return hex_scaled_jacobian(x);
-    }
+    [[nodiscard]] double quality(std::size_t h) const { return scaled_jacobian(mesh_, h); }
 
-    [[nodiscard]] double minimum() const {
-        double least = 1;
-        for (std::size_t h = 0; h < mesh_.hexes.size(); ++h) {
-            least = std::min(least, quality(h));
-        }
-        return least;
-    }
+    [[nodiscard]] double minimum() const { return least_scaled_jacobian(mesh_); }
 
     /// All nodes whose move leaves the hexahedra positive, the others as far as they can once there is more room.
     void move_to_model() {
