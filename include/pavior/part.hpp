@@ -12,6 +12,7 @@
 #include <pavior/part/part_mesh.hpp>           // what it returns
 #include <pavior/part/part_options.hpp>        // what may be asked
 #include <pavior/part/pillow_solids.hpp>       // layers of hexahedra under faces that meet smoothly
+#include <pavior/part/settle_nodes.hpp>        // nodes moved onto the vertices, edges and faces of the model
 #include <pavior/part/solid_methods.hpp>       // which method meshes which solid
 #include <pavior/part/split_solids.hpp>        // the last resort: tetrahedra, each split in four
 #include <pavior/part/sweep_groups.hpp>        // which many-to-many sweeps share a direction, and their order

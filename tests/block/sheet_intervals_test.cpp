@@ -5,7 +5,9 @@
 #include <pavior/block/place_blocks.hpp>
 #include <pavior/block/sheet_intervals.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 using block_cases::Case;
@@ -70,6 +72,26 @@ TEST_CASE("edges that turn get intervals that do not turn by more than the angle
         }
     }
     CHECK_THROWS_AS(intervals(c, 1, 0), InputError);
+}
+
+TEST_CASE("a bend in one part of a chain gets chords that follow it, none shorter than half the size for it",
+          "[sheet_intervals]") {
+    // 6 straight on, then a quarter of a circle of radius 1
+    const auto bent = [](const Vec3& x) {
+        const double s = x[0] * (6 + std::numbers::pi / 2);
+        const double r = 1 + 0.5 * x[1], turn = s - 6;
+        return s < 6 ? Vec3(s, r, x[2]) : Vec3(6 + r * std::sin(turn), r * std::cos(turn), x[2]);
+    };
+    const Case c = block_cases::grid({80, 2, 2}, {}, bent);
+    const auto most = [&](double size) {
+        const auto sheets = numbers(intervals(c, size));
+        return sheets.back();
+    };
+    CHECK(most(0.5) >= 8);                        // the size alone follows the bend
+    CHECK(most(1.5) > std::lround(3.9 / 1.5));    // here it does not
+    CHECK(most(1.5) <= std::lround(2 * 4.1 / 1.5));
+    const Case straight = block_cases::grid({80, 2, 2}, {}, [](const Vec3& x) { return Vec3(7.5 * x[0], x[1], x[2]); });
+    CHECK(numbers(intervals(straight, 1.5)).back() == std::lround(3.75 / 1.5));
 }
 
 TEST_CASE("without a size there are two intervals, with a great one a single one", "[sheet_intervals]") {

@@ -83,6 +83,17 @@ private:
     std::array<std::vector<WishedIntervals>, 2> wishes_;
 };
 
+/// More intervals where chains bend more in one place than in others, but no edges shorter than half the size.
+inline void follow_bends(const BlockMesh& blocks, const BlockCurves& curves, const BlockLengths& lengths,
+                         std::vector<SheetIntervals>& sheets) {
+    for (std::size_t e = 0; e < blocks.edges.size(); ++e) {
+        SheetIntervals& sheet = sheets[blocks.sheets[e]];
+        const double most = 2.0 * curves.edge_length(static_cast<Index>(e)) / lengths.size;
+        sheet.intervals = curves.intervals_round_bends(static_cast<Index>(e), lengths.max_angle, sheet.intervals,
+                                                       static_cast<std::uint32_t>(std::min(most, 1e6)));
+    }
+}
+
 inline void check_lengths(const BlockLengths& lengths) {
     const auto positive = [](const auto& entry) { return entry.second > 0 && std::isfinite(entry.second); };
     if (std::isnan(lengths.size) || !(lengths.max_angle > 0) ||
@@ -128,6 +139,9 @@ PAVIOR_INLINE std::vector<SheetIntervals> sheet_intervals(const BlockMesh& block
                              {static_cast<std::int64_t>(s)});
         }
         sheets[s].intervals = static_cast<std::uint32_t>(std::max(1.0, wanted));
+    }
+    if (lengths.size > 0.0) {
+        detail::follow_bends(blocks, curves, lengths, sheets);
     }
     return sheets;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <pavior/brep/node_entities.hpp>
 #include <pavior/core/error.hpp>
 #include <pavior/core/stop.hpp>
 #include <pavior/mesh/edge_table.hpp>
@@ -9,6 +8,7 @@
 #include <pavior/part/detail/hex_jacobian.hpp>
 #include <pavior/part/entity_guide.hpp>
 #include <pavior/part/pillow_solids.hpp>
+#include <pavior/part/settle_nodes.hpp>
 #include <pavior/smooth/improve_hexes.hpp>
 
 #include <Eigen/Geometry>
@@ -149,12 +149,12 @@ public:
     SlidingImprover(const AnyModel& b, const PillowSolidsOptions& options, SolidsMesh& mesh)
         : b_(b), options_(options), mesh_(mesh) {}
 
-    /// \param first_new  nodes from here on are in a layer: they may be far off curved faces
     /// \return the least scaled Jacobian
-    double run(std::size_t first_new) {
-        on_ = node_entities(b_, mesh_.mesh.nodes, mesh_.mesh.hexes, mesh_.hex_solid, mesh_.quads, mesh_.quad_face)
-                  .of_node;
-        move_onto_model(first_new);
+    double run() {
+        SettleOptions own;
+        own.size = options_.size;
+        own.execution = options_.execution;
+        on_ = settle_nodes(b_, mesh_, own).of_node;
         double least = raise(false, 30, 2);
         constexpr int most_rings = 4;
         for (int slice = 0, rings = 2; slice < 7 && least < options_.enough && !late(); ++slice) {
@@ -170,47 +170,6 @@ public:
 private:
     [[nodiscard]] bool late() const { return options_.out_of_time && options_.out_of_time(); }
 
-    /// Nodes near their faces and edges go there unless that makes a hexahedron worse than nearly flat; those that are
-    /// left off are held.
-    void move_onto_model(std::size_t first_new) {
-        std::vector<Vec3>& x = mesh_.mesh.nodes;
-        const std::vector<Vec3> before = x;
-        std::vector<double> limit(mesh_.mesh.hexes.size());
-        for (std::size_t h = 0; h < limit.size(); ++h) {
-            const double now = scaled_jacobian(mesh_.mesh, h);
-            limit[h] = now > 0 ? std::min(0.02, 0.5 * now) : now;
-        }
-        std::vector<char> moved(x.size(), 0);
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            if (on_[i].dimension == 1 || on_[i].dimension == 2) {
-                const Vec3 to = entity_point(b_, on_[i]);
-                moved[i] = (to - x[i]).norm() < (i < first_new ? 0.05 : 0.1) * options_.size ? 1 : 0;
-                x[i] = moved[i] != 0 ? to : x[i];
-            }
-        }
-        for (bool changed = true; changed;) {
-            changed = false;
-            for (std::size_t h = 0; h < limit.size(); ++h) {
-                const HexCorners& c = mesh_.mesh.hexes[h];
-                const bool any = std::any_of(c.begin(), c.end(), [&](Index i) { return moved[i] != 0; });
-                if (!any || scaled_jacobian(mesh_.mesh, h) >= limit[h]) {
-                    continue;
-                }
-                for (const Index i : c) {
-                    x[i] = before[i];
-                    moved[i] = 0;
-                }
-                changed = true;
-            }
-        }
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            const bool slides = on_[i].dimension == 1 || on_[i].dimension == 2;
-            if (slides && !((entity_point(b_, on_[i]) - x[i]).norm() <= 1e-4 * options_.size)) {
-                on_[i] = {0, -1, Vec2::Zero()};
-            }
-        }
-    }
-
     double raise(bool sliding, double effort, int rings) {
         ImproveOptions own;
         own.target = 0.5;
@@ -220,7 +179,7 @@ private:
         own.execution = options_.execution;
         std::vector<NodeEntity> on = on_;
         for (NodeEntity& entity : on) {
-            entity = !sliding && entity.dimension < 3 ? NodeEntity{0, -1, Vec2::Zero()} : entity;
+            entity = !sliding && entity.dimension < 3 ? held_node() : entity;
         }
         const EntityGuide guide(b_, std::move(on), 1e-8 * options_.size);
         return improve_hexes(std::span(mesh_.mesh.nodes), std::span<const HexCorners>(mesh_.mesh.hexes), guide, own)
@@ -380,7 +339,7 @@ PAVIOR_INLINE PillowedSolids pillow_solids(const AnyModel& b, SolidsMesh& mesh, 
             return;
         }
         if (attempt.fault == PillowFault::none) {
-            const double least = detail::SlidingImprover(b, options, made).run(mesh.mesh.nodes.size());
+            const double least = detail::SlidingImprover(b, options, made).run();
             attempt.min_jacobian = check_mesh(made.mesh, options.execution).verify.ok() ? least : -1;
         }
         take(made, std::move(attempt), worth);
@@ -401,7 +360,7 @@ PAVIOR_INLINE PillowedSolids pillow_solids(const AnyModel& b, SolidsMesh& mesh, 
     if (!enough()) {
         SolidsMesh made = mesh;
         PillowAttempt attempt;
-        attempt.min_jacobian = detail::SlidingImprover(b, options, made).run(made.mesh.nodes.size());
+        attempt.min_jacobian = detail::SlidingImprover(b, options, made).run();
         take(made, std::move(attempt), 1e-3);
     }
     if (!enough()) {

@@ -42,7 +42,7 @@ struct PillowedSolids {
 /// Raises the least scaled Jacobian of a mesh, by the first of these that gives enough, else by the best:
 /// 1. layers of hexahedra (pillow()) under faces whose quads of one hexahedron meet at more than options.angle: a
 ///    hexahedron with two quads on one smooth surface is flat there, and no place of its nodes changes that;
-/// 2. nodes that slide on faces and edges (EntityGuide), those that are nearly there moved onto them before;
+/// 2. nodes that slide on faces and edges (EntityGuide), those that are nearly there moved onto them before (settle_nodes());
 /// 3. layers under the faces at the worst hexahedra.
 /// A layer lies under all faces that hang together smoothly or at concave edges, and leaves through the faces beside
 /// them; where it cannot conform, faces beside it join. Of several solids one layer goes through all, else each gets
@@ -50,7 +50,7 @@ struct PillowedSolids {
 /// improve_hexes() follows, first with the boundary fixed, then sliding as in 2. The mesh changes only if the minimum
 /// rises, for a layer by 0.02 at least, and a mesh with a layer only counts if verify_hexes() finds no fault.
 /// \param mesh  conforming, with quads on all faces; of faces that meet smoothly quads may bear the name of another one
-/// (nodes off their face by more than a twentieth of the size are held). In and out; old nodes, hexahedra and quads
+/// (nodes that settle_nodes() leaves off their face are held). In and out; old nodes, hexahedra and quads
 /// keep their places in the arrays.
 /// Deterministic unless out_of_time() strikes; the same bytes for any number of threads.
 /// O(n) where the mesh is good enough, or has no such hexahedra.

@@ -13,6 +13,7 @@
 #include <pavior/part/judge_mesh.hpp>
 #include <pavior/part/pillow_solids.hpp>
 #include <pavior/part/plane_guide.hpp>
+#include <pavior/part/settle_nodes.hpp>
 #include <pavior/part/try_method.hpp>
 #include <pavior/smooth/improve_hexes.hpp>
 
@@ -59,6 +60,27 @@ namespace detail {
     return std::any_of(faces.begin(), faces.end(), [&](const OrientedFace& f) { return !plane_of(b, f.face); });
 }
 
+/// Moves a mesh made on triangles onto the model.
+inline void settle(Trial& trial) {
+    MethodTry& result = trial.result;
+    if (result.quad_face.size() != result.data.quads.size()) {
+        return;
+    }
+    SolidsMesh mesh{std::move(result.data.mesh), std::move(result.hex_solid), std::move(result.data.quads),
+                    std::move(result.quad_face)};
+    SettleOptions own;
+    own.size = trial.size();
+    own.execution = trial.options.execution;
+    const SettledNodes settled = settle_nodes(trial.model, mesh, own);
+    if (settled.held > 0) {
+        result.notes.push_back(std::to_string(settled.held) + " nodes of the boundary are off the model");
+    }
+    result.data.mesh = std::move(mesh.mesh);
+    result.hex_solid = std::move(mesh.hex_solid);
+    result.data.quads = std::move(mesh.quads);
+    result.quad_face = std::move(mesh.quad_face);
+}
+
 inline void try_block(Trial& trial) {
     MethodTry& result = trial.result;
     if (trial.solids.size() != 1) {
@@ -88,6 +110,7 @@ inline void try_block(Trial& trial) {
     result.data.groups = entity_groups(trial.model, trial.solids);
     result.hex_solid.assign(result.data.mesh.hexes.size(), trial.solids[0]);
     result.quad_face = faces_of_groups(trial.model, trial.solids[0], result.data.quad_groups);
+    settle(trial);
     // Blocks unite faces that meet smoothly: a quad may stand for several of them.
     const auto surface = std::make_shared<const TriMesh>(model.reference.surface.mesh);
     trial.distance = [surface, chord = model.reference.chord](const HexMeshData& data) {

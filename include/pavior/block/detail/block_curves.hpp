@@ -12,6 +12,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace pavior::detail {
 
@@ -59,7 +61,6 @@ public:
     [[nodiscard]] double edge_turning(Index e) const {
         const auto [low, high] = blocks_.edges[e];
         const BlockNode& node = blocks_.nodes[high];
-        constexpr double degrees_a_radian = 57.29577951308232;
         if (node.dimension == 1) {
             return degrees_a_radian * chain_turning(e);
         }
@@ -68,6 +69,26 @@ public:
             return degrees_a_radian * patch_turning(node.id, from, placement_.parameters[high].head<2>());
         }
         return 0.0;
+    }
+
+    /// The least number of equal intervals, from \p least to \p most, with which no chord along an edge on a chain is
+    /// farther from it than if it turned by \p max_angle degrees evenly; if there is none (a kink), the least number that
+    /// is nearly as good as the best. \p least for other edges.
+    [[nodiscard]] std::uint32_t intervals_round_bends(Index e, double max_angle, std::uint32_t least,
+                                                      std::uint32_t most) const {
+        if (blocks_.nodes[blocks_.edge_origin(e)].dimension != 1 || most <= least) {
+            return least;
+        }
+        std::vector<double> sags;
+        for (std::uint32_t n = least; n <= most; ++n) {
+            sags.push_back(largest_sag(e, n));
+            if (sags.back() <= 1.1 * std::tan(std::min(max_angle, 180.0) / degrees_a_radian / 4.0)) {
+                return n;
+            }
+        }
+        const double best = *std::min_element(sags.begin(), sags.end());
+        const auto good = std::find_if(sags.begin(), sags.end(), [&](double sag) { return sag <= 1.1 * best; });
+        return least + static_cast<std::uint32_t>(good - sags.begin());
     }
 
     /// The corners of a quad on a patch in the polygon of this.
@@ -84,6 +105,25 @@ public:
     }
 
 private:
+    static constexpr double degrees_a_radian = 57.29577951308232;
+
+    /// Of \p n equal chords: how far the edge is from one, in parts of its length.
+    [[nodiscard]] double largest_sag(Index e, std::uint32_t n) const {
+        constexpr int pieces = 8;
+        double largest = 0.0;
+        Vec3 from = edge_point(e, 0.0);
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const Vec3 to = edge_point(e, (i + 1.0) / n);
+            for (int k = 1; k < pieces; ++k) {
+                const Vec3 off = edge_point(e, (i + static_cast<double>(k) / pieces) / n) - from;
+                const double square = (to - from).squaredNorm();
+                largest = square > 0.0 ? std::max(largest, off.cross(to - from).norm() / square) : largest;
+            }
+            from = to;
+        }
+        return largest;
+    }
+
     [[nodiscard]] static double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
     /// Of the arc through both ends and the middle.
