@@ -88,15 +88,29 @@ private:
     double reach_;
 };
 
-/// Cuts one solid of the current model by faces, which are used up.
-void fragment_solid(int solid, gmsh::vectorpair tools, Origins& origins) {
-    if (all_entities(3).size() > 1) {  // others stay whole
+/// Makes the line of a curve in the current model.
+std::pair<int, int> make_curve(const CutCurve& curve) {
+    const auto point = [](const Vec3& x) { return occ::addPoint(x[0], x[1], x[2]); };
+    const Vec3 u = curve.middle - curve.from;
+    const Vec3 v = curve.to - curve.from;
+    const Vec3 w = u.cross(v);
+    if (w.norm() <= 1e-9 * v.squaredNorm()) {
+        return {1, occ::addLine(point(curve.from), point(curve.to))};
+    }
+    const Vec3 arm = (u.squaredNorm() * v.cross(w) + v.squaredNorm() * w.cross(u)) / (2 * w.squaredNorm());
+    return {1, occ::addCircleArc(point(curve.from), point(curve.from + arm), point(curve.to))};
+}
+
+/// Cuts one solid of the current model by faces, and faces by curves; both are used up.
+void fragment_solid(int solid, gmsh::vectorpair tools, const gmsh::vectorpair& curves, Origins& origins) {
+    if (!tools.empty() && all_entities(3).size() > 1) {  // others stay whole
         gmsh::vectorpair inside;
         std::vector<gmsh::vectorpair> map;
         occ::intersect(tools, {{3, solid}}, inside, map, -1, true, false);
         std::erase_if(inside, [](const auto& entity) { return entity.first != 2; });
         tools = std::move(inside);
     }
+    tools.insert(tools.end(), curves.begin(), curves.end());
     occ::synchronize();
     const gmsh::vectorpair solids = all_entities(3);
     gmsh::vectorpair pieces;
@@ -172,9 +186,15 @@ struct GmshCutter::Base {
                 const gmsh::vectorpair faces = std::visit(maker, surface);
                 tools.insert(tools.end(), faces.begin(), faces.end());
             }
-            fragment_solid(solids[cut.solid.index()].second, std::move(tools), origins);
-            if (all_entities(3).size() <= solids.size()) {
-                throw UnmeshableError(ErrorCode::cad_failure, "a cut does not divide its solid");
+            gmsh::vectorpair curves;
+            for (const CutCurve& curve : cut.curves) {
+                curves.push_back(make_curve(curve));
+            }
+            const std::size_t faces = all_entities(2).size();
+            const bool whole = tools.empty();
+            fragment_solid(solids[cut.solid.index()].second, std::move(tools), curves, origins);
+            if (whole ? all_entities(2).size() <= faces : all_entities(3).size() <= solids.size()) {
+                throw UnmeshableError(ErrorCode::cad_failure, "a cut divides nothing");
             }
         }
     }

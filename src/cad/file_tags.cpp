@@ -114,7 +114,9 @@ std::vector<SolidOverlap> overlaps_of(const SolidPieces& pieces, const std::map<
     }
     std::vector<SolidOverlap> result;
     for (const auto& [pair, volume] : common) {
-        const auto all_of = [&](int solid) { return volume >= (1 - 1e-6) * pieces.volume.at(solid); };
+        const auto all_of = [&pieces, shared = volume](int solid) {
+            return shared >= (1 - 1e-6) * pieces.volume.at(solid);
+        };
         const auto [a, b] = pair;
         SolidOverlap overlap{{a, b}, OverlapKind::overlap, volume};
         if (all_of(a) && all_of(b)) {

@@ -17,6 +17,22 @@ struct ProblemDeleter {
 };
 using Problem = std::unique_ptr<glp_prob, ProblemDeleter>;
 
+/// GLPK's environment of this thread, given back at the end unless it was there before.
+class Environment {
+public:
+    Environment() : own_(glp_init_env() == 0) {}
+    ~Environment() {
+        if (own_) {
+            glp_free_env();
+        }
+    }
+    Environment(const Environment&) = delete;
+    Environment& operator=(const Environment&) = delete;
+
+private:
+    bool own_;
+};
+
 /// Keeps GLPK quiet while it lives.
 class Silence {
 public:
@@ -192,6 +208,7 @@ IntegerSolution solve(const IntegerProgram& program, const IntegerProgramOptions
     if (contradictory(program)) {
         return {ProgramStatus::infeasible, 0.0, {}};
     }
+    const Environment environment;
     const Silence silence;
     Problem problem(glp_create_prob());
     load(problem.get(), program);

@@ -6,6 +6,7 @@
 #include <pavior/cad/cut_model.hpp>
 #include <pavior/cad/region_quads.hpp>
 #include <pavior/cad/tetrahedra.hpp>
+#include <pavior/decompose/cut_lines.hpp>
 #include <pavior/glpk/solve_program.hpp>
 #include <pavior/imprint/imprint.hpp>
 #include <pavior/part/any_model.hpp>
@@ -57,7 +58,8 @@ public:
         const GmshBrep& brep = *made->model;
         const auto kept = std::make_shared<Kept>(Kept{std::move(*made), AnyModel(brep)});
         return ModelPieces{std::shared_ptr<const AnyModel>(kept, &kept->any), kept->pieces.solid, GmshCapMesher{&brep},
-                           [cutter = cutter_, kept] { return cutter->identify(kept->pieces); }};
+                           [cutter = cutter_, kept] { return cutter->identify(kept->pieces); },
+                           edges_on_curves(brep, cuts)};
     }
 
 private:

@@ -49,11 +49,14 @@ SolidCut cut_of(const Json& json) {
     SolidCut cut{{json["solid"].get<std::int32_t>()}, {}, CutReason::step};
     for (const CutReason reason :
          {CutReason::blend_foot, CutReason::concave_edge, CutReason::junction, CutReason::axis_plane,
-          CutReason::round_hole, CutReason::slab, CutReason::step, CutReason::between}) {
+          CutReason::round_hole, CutReason::slab, CutReason::step, CutReason::between, CutReason::square}) {
         cut.reason = json["reason"] == to_string(reason) ? reason : cut.reason;
     }
     for (const Json& surface : json["surfaces"]) {
         cut.surfaces.push_back(surface_of(surface));
+    }
+    for (const Json& curve : json.value("curves", Json::array())) {
+        cut.curves.push_back({point_of(curve[0]), point_of(curve[1]), point_of(curve[2])});
     }
     return cut;
 }

@@ -154,6 +154,9 @@ Json to_json(const SolidCut& cut) {
     for (const CutSurface& surface : cut.surfaces) {
         json["surfaces"].push_back(std::visit(SurfaceJson{}, surface));
     }
+    for (const CutCurve& curve : cut.curves) {
+        json["curves"].push_back({array_of(curve.from), array_of(curve.middle), array_of(curve.to)});
+    }
     return json;
 }
 

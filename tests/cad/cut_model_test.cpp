@@ -395,3 +395,30 @@ TEST_CASE("What cannot be saved is named") {
     CHECK_FALSE(std::filesystem::exists(file));
     CHECK_THROWS_AS(cutter.save(cuts, scratch_file("pieces.nonsense")), FileError);
 }
+
+TEST_CASE("Curves divide the faces that they lie on, and no solid") {
+    const GmshBrep model = GmshBrep::build([] { (void)gmsh::model::occ::addCylinder(0, 0, 0, 0, 0, 3, 2); });
+    const GmshCutter cutter(model);
+    const double half = std::sqrt(2.0);
+    SolidCut cut{solid_id(0), {}, CutReason::square, {}};
+    for (const double x : {-half, half}) {
+        for (const double y : {-half, half}) {
+            cut.curves.push_back({{x, y, 0}, {x, y, 1.5}, {x, y, 3}});
+        }
+    }
+    std::optional<GmshPieces> pieces = cutter(std::span(&cut, 1));
+    REQUIRE(pieces);
+    REQUIRE(pieces->model->solid_count() == 1);
+    CHECK(pieces->model->face_count() == model.face_count() + 4);  // four walls, one of them in two at the seam
+    CHECK(pieces->model->solid_volume(solid_id(0)) == Approx(model.solid_volume(solid_id(0))));
+    const std::vector<FaceId> faces = cutter.identify(*pieces);
+    std::map<FaceId, int> parts;
+    for (const FaceId f : faces) {
+        ++parts[f];
+    }
+    CHECK(parts.size() == model.face_count());
+    const SolidCut arc{solid_id(0), {}, CutReason::square, {{{2, 0, 0}, {half, half, 0}, {0, 2, 0}}}};
+    CHECK_FALSE(cutter(std::span(&arc, 1)));  // runs along an edge
+    const SolidCut inside{solid_id(0), {}, CutReason::square, {{{0, 0, 1}, {0, 0, 1.5}, {0, 0, 2}}}};
+    CHECK_FALSE(cutter(std::span(&inside, 1)));
+}

@@ -3,6 +3,7 @@
 #include "support/catch.hpp"
 #include "support/occ_solids.hpp"
 
+#include <pavior/cad/cut_model.hpp>
 #include <pavior/cad/gmsh_brep.hpp>
 #include <pavior/decompose/cut_candidates.hpp>
 #include <pavior/decompose/recognise_piece.hpp>
@@ -241,4 +242,52 @@ TEST_CASE("Recognition of parts: a tee is for no method, half a turn of a sleeve
     const PieceMethods box = methods_of(GmshBrep::build([] { (void)occ::addBox(0, 0, 0, 1, 2, 3); }));
     CHECK(box.submap);
     CHECK(box.sweep);
+}
+
+TEST_CASE("Drilled holes are seen as squares: four lines each, clear of holes that enter them") {
+    const GmshBrep block = GmshBrep::build([] {
+        const int box = occ::addBox(0, 0, 0, 20, 20, 20);
+        cut(box, {{3, occ::addCylinder(10, 10, -1, 0, 0, 22, 4)}, {3, occ::addCylinder(10, 12.5, 10, 11, 0, 0, 1)}});
+    });
+    const std::vector<CutCandidate> candidates = checked_candidates(block, only);
+    REQUIRE(count_of(candidates, CutReason::square) == 1);
+    const CutCandidate& squares = *std::find_if(candidates.begin(), candidates.end(),
+                                                [](const CutCandidate& c) { return c.reason == CutReason::square; });
+    CHECK(squares.surfaces.empty());
+    REQUIRE(squares.curves.size() == 8);
+    std::size_t moved = 0;
+    for (const CutCurve& curve : squares.curves) {
+        const bool upright = std::abs((curve.to - curve.from).z()) > 19;
+        const Vec3 arm = upright ? Vec3(curve.middle - Vec3(10, 10, 0)) : Vec3(curve.middle - Vec3(0, 12.5, 10));
+        const Vec2 across = upright ? Vec2(arm.head<2>()) : Vec2(arm.tail<2>());
+        CHECK(across.norm() == Approx(upright ? 4 : 1));
+        const double degrees = std::atan2(std::abs(across[1]), std::abs(across[0])) * 180 / std::acos(-1.0);
+        // the small hole enters the great one between 22 and 61 degrees
+        moved += std::abs(degrees - 45) > 1 ? 1 : 0;
+        CHECK((std::abs(degrees - 45) < 1 || (upright && arm.x() > 0 && arm.y() > 0 && degrees > 61)));
+    }
+    CHECK(moved == 1);
+}
+
+TEST_CASE("With its lines a block whose holes cross is for submap, without it is for nothing") {
+    const GmshBrep block = GmshBrep::build([] {
+        const int box = occ::addBox(0, 0, 0, 20, 20, 20);
+        cut(box, {{3, occ::addCylinder(10, 10, -1, 0, 0, 22, 4)},
+                  {3, occ::addCylinder(-1, 10, 10, 22, 0, 0, 2)},
+                  {3, occ::addCylinder(10, -1, 10, 0, 22, 0, 1)}});
+    });
+    const std::vector<CutCandidate> candidates = checked_candidates(block, only);
+    const CutCandidate& squares = *std::find_if(candidates.begin(), candidates.end(),
+                                                [](const CutCandidate& c) { return c.reason == CutReason::square; });
+    const SolidCut cut{only, {}, squares.reason, squares.curves};
+    const std::optional<GmshPieces> pieces = GmshCutter(block)(std::span(&cut, 1));
+    REQUIRE(pieces);
+    REQUIRE(pieces->model->solid_count() == 1);
+    CHECK(pieces->model->face_count() > block.face_count() + 8);
+    const GlpkSolver solver;
+    CHECK_FALSE(methods_of(block).any());
+    const std::vector<EdgeId> turns = edges_on_curves(*pieces->model, std::span(&cut, 1));
+    CHECK(turns.size() >= 12);
+    CHECK(recognise_piece(*pieces->model, only, solver, turns).submap);
+    CHECK_FALSE(recognise_piece(*pieces->model, only, solver).submap);
 }

@@ -122,3 +122,31 @@ TEST_CASE("Lines are straight; arcs are not, and know their circle") {
         CHECK(arc->axis.direction.cross(axis).norm() < 1e-9);
     }
 }
+
+TEST_CASE("How far a point is from a segment and from an arc, beyond their ends, too") {
+    const CutCurve segment{{0, 0, 0}, {2, 0, 0}, {4, 0, 0}};
+    CHECK(distance_to_curve({1, 0, 0}, segment) == Approx(0).margin(1e-15));
+    CHECK(distance_to_curve({1, 3, 0}, segment) == Approx(3));
+    CHECK(distance_to_curve({7, 4, 0}, segment) == Approx(5));
+    const double half = std::sqrt(0.5);
+    const CutCurve quarter{{1, 0, 5}, {half, half, 5}, {0, 1, 5}};
+    CHECK(distance_to_curve({std::cos(0.3), std::sin(0.3), 5}, quarter) == Approx(0).margin(1e-15));
+    CHECK(distance_to_curve({3 * half, 3 * half, 5}, quarter) == Approx(2));
+    CHECK(distance_to_curve({half, half, 7}, quarter) == Approx(2));
+    CHECK(distance_to_curve({0, 0, 5}, quarter) == Approx(1));
+    CHECK(distance_to_curve({-1, 0, 5}, quarter) == Approx(std::sqrt(2.0)));  // on the circle, beyond the end
+}
+
+TEST_CASE("Edges on curves of cuts are found, also parts of a curve, and no others") {
+    TestBrep b;
+    add_prism(b, rectangle(2, 1), 0, 3);
+    CHECK(edges_on_curves(b, std::span<const SolidCut>{}).empty());
+    const SolidCut cut{SolidId{0}, {}, CutReason::square, {{{0, 0, -1}, {0, 0, 2}, {0, 0, 5}}}};
+    const std::vector<EdgeId> on = edges_on_curves(b, std::span(&cut, 1));
+    REQUIRE(on.size() == 1);
+    for (const VertexId v : b.edge_vertices(on[0])) {
+        CHECK(b.vertex_point(v).head<2>().norm() == 0);
+    }
+    const SolidCut shorter{SolidId{0}, {}, CutReason::square, {{{0, 0, 0}, {0, 0, 1}, {0, 0, 2}}}};
+    CHECK(edges_on_curves(b, std::span(&shorter, 1)).empty());
+}

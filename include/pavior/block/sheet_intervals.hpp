@@ -38,8 +38,9 @@ struct BlockLengths {
 
 /// One entry a sheet: its edges, and as many intervals as bring them to the wished length on the average, 1 at least.
 /// In a sheet with edges on curves that have a length of their own only these count, else with edges on or round such
-/// patches only those. With a size, sheets that cross chains get as many more as bring every chord as near to its chain as
-/// one that turns by max_angle, but none shorter than half the size for that. No wish: two intervals. O(edges).
+/// patches only those. With a size, sheets that cross chains get as many more as bring every chord as near to its
+/// chain as one that turns by max_angle, but none shorter than half the size for that. No wish: two intervals.
+/// O(edges).
 /// \throws InputError bad_option (a size that is not a number, another length or an angle that is not positive),
 /// overflow (10^9 intervals or more)
 [[nodiscard]] PAVIOR_INLINE std::vector<SheetIntervals> sheet_intervals(const BlockMesh& blocks,

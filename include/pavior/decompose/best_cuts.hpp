@@ -89,7 +89,7 @@ private:
                result_.meshed >= options_.max_meshes || hopeless() || out_of_time_();
     }
 
-    [[nodiscard]] bool hopeless() const { return result_.tried >= options_.max_idle && result_.meshed == 0; }
+    [[nodiscard]] bool hopeless() const { return result_.tried - curved_ >= options_.max_idle && result_.meshed == 0; }
 
     /// Meshes each piece by itself that was not yet; which may change what is known of it.
     void mesh_pieces(State& at) {
@@ -166,18 +166,32 @@ private:
         if (at.solids.size() >= options_.max_pieces * wanted_.size()) {
             return;
         }
-        for (const CutCandidate& candidate : cut_candidates(*at.pieces.model, at.next)) {
+        std::vector<CutCandidate> candidates = cut_candidates(*at.pieces.model, at.next);
+        if (std::any_of(at.cuts.begin(), at.cuts.end(), [](const SolidCut& cut) { return !cut.surfaces.empty(); })) {
+            // Curves are for whole solids: on pieces they would take tries from what helps there.
+            std::erase_if(candidates, [](const CutCandidate& c) { return c.surfaces.empty(); });
+        }
+        for (const CutCandidate& candidate : candidates) {
             check_stop(options_.stop);
             if (done()) {
                 return;
             }
             std::vector<SolidCut> cuts = at.cuts;
-            cuts.push_back({at.next, candidate.surfaces, candidate.reason});
+            cuts.push_back({at.next, candidate.surfaces, candidate.reason, candidate.curves});
+            curved_ += candidate.surfaces.empty() ? 1 : 0;
             std::optional<State> next = state(std::move(cuts));
-            if (next && next->cost < at.cost + 0.5) {
+            if (next && next->cost < at.cost + 0.5 && (!candidate.surfaces.empty() || takes_more(at, *next))) {
                 take(std::move(*next));
             }
         }
+    }
+
+    /// Whether a method takes a piece more than before: curves help with nothing else.
+    [[nodiscard]] static bool takes_more(const State& before, const State& after) {
+        const auto taken = [](const State& at) {
+            return std::count_if(at.methods.begin(), at.methods.end(), [](const PieceMethods& m) { return m.any(); });
+        };
+        return taken(after) > taken(before);
     }
 
     [[nodiscard]] std::optional<State> state(std::vector<SolidCut> cuts) {
@@ -188,11 +202,12 @@ private:
         }
         State result{std::move(cuts), std::move(*pieces)};
         result.order = result_.tried;
+        const std::vector<EdgeId> turns = edges_on_curves(*result.pieces.model, std::span<const SolidCut>(result.cuts));
         for (std::size_t s = 0; s < result.pieces.solid.size(); ++s) {
             if (std::find(wanted_.begin(), wanted_.end(), result.pieces.solid[s]) != wanted_.end()) {
                 const SolidId solid{static_cast<std::int32_t>(s)};
                 result.solids.push_back(solid);
-                result.methods.push_back(methods_of(*result.pieces.model, solid));
+                result.methods.push_back(methods_of(*result.pieces.model, solid, turns));
             }
         }
         add_costs(result);
@@ -233,13 +248,13 @@ private:
 
     /// recognise_piece(), once for a piece that stays as it is.
     template <brep M>
-    [[nodiscard]] PieceMethods methods_of(const M& b, SolidId solid) {
+    [[nodiscard]] PieceMethods methods_of(const M& b, SolidId solid, const std::vector<EdgeId>& turns) {
         const std::vector<long long> key = signature(b, solid);
         const auto known = known_.find(key);
         if (known != known_.end()) {
             return known->second;
         }
-        return known_[key] = recognise_piece(b, solid, solver_);
+        return known_[key] = recognise_piece(b, solid, solver_, turns);
     }
 
     /// The one that costs most, then the one with the most faces.
@@ -264,6 +279,7 @@ private:
     std::vector<State> open_;
     std::map<std::vector<long long>, PieceMethods> known_;  ///< by signature()
     CutSearch result_;
+    std::size_t curved_ = 0;  ///< tries of curves alone
 };
 
 /// Pieces are as good as recognition takes them for.

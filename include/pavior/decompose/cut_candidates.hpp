@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
@@ -21,10 +22,11 @@
 
 namespace pavior {
 
-/// Surfaces to cut a solid with, together, and why.
+/// Surfaces to cut a solid with, together, and why; or curves to divide its faces.
 struct CutCandidate {
     std::vector<CutSurface> surfaces;
     CutReason reason = CutReason::step;
+    std::vector<CutCurve> curves = {};
 };
 
 namespace detail {
@@ -53,6 +55,7 @@ public:
         at_blend_feet();
         at_concave_edges();
         at_junctions();
+        square_round_faces();
         through_axes();
         round_holes();
         at_steps();
@@ -340,6 +343,139 @@ private:
         return result;
     }
 
+    /// Four lines on all round faces of an axis, on hollow ones alone if others are round, too.
+    void square_round_faces() {
+        std::vector<CutCurve> all;
+        std::vector<CutCurve> hollow;
+        for (const AxisGroup& g : axes_) {
+            std::vector<const Face*> round;
+            for (const Face& f : faces_) {
+                if (on_axis(f, g) && span_of(f, g.axis) > 100) {
+                    round.push_back(&f);
+                }
+            }
+            const Vec3 n = across(g.axis.direction).front();
+            const Vec3 m = g.axis.direction.cross(n).normalized();
+            for (const double azimuth : square_corners(round, {g.axis.origin, g.axis.direction}, n)) {
+                const Vec3 out = std::cos(azimuth * degree) * n + std::sin(azimuth * degree) * m;
+                for (const Face* f : round) {
+                    if (const auto curve = meridian(*f, g.axis, out)) {
+                        all.push_back(*curve);
+                        if (f->shape.hollow) {
+                            hollow.push_back(*curve);
+                        }
+                    }
+                }
+            }
+        }
+        if (!all.empty()) {
+            result_.push_back({{}, CutReason::square, all});
+        }
+        if (!hollow.empty() && hollow.size() < all.size()) {
+            result_.push_back({{}, CutReason::square, hollow});
+        }
+    }
+
+    static constexpr double degree = std::numbers::pi / 180;
+
+    [[nodiscard]] bool on_axis(const Face& f, const AxisGroup& g) const {
+        const bool round = f.shape.kind == FaceKind::cylinder || f.shape.kind == FaceKind::revolved;
+        return round && g.axis.direction.cross(f.shape.axis.direction).norm() < 1e-6 &&
+               distance_to_line(f.shape.axis.origin, g.axis) < 1e-5 * scale_;
+    }
+
+    /// Degrees round an axis, from \p zero on, in (-180, 180].
+    [[nodiscard]] static double azimuth_of(const Vec3& x, const Axis& axis, const Vec3& zero) {
+        const Vec3 arm = x - axis.origin;
+        return std::atan2(arm.dot(axis.direction.cross(zero)), arm.dot(zero)) / degree;
+    }
+
+    /// The least range that some azimuths lie in: its begin and its width.
+    [[nodiscard]] static std::pair<double, double> range_of(std::vector<double> azimuths) {
+        std::sort(azimuths.begin(), azimuths.end());
+        double gap = 360 - (azimuths.back() - azimuths.front());
+        double begin = azimuths.front();
+        for (std::size_t i = 1; i < azimuths.size(); ++i) {
+            if (azimuths[i] - azimuths[i - 1] > gap) {
+                gap = azimuths[i] - azimuths[i - 1];
+                begin = azimuths[i];
+            }
+        }
+        return {begin, 360 - gap};
+    }
+
+    /// By how many degrees a face goes round an axis.
+    [[nodiscard]] double span_of(const Face& f, const Axis& axis) const {
+        std::vector<double> azimuths;
+        const Vec3 zero = axis.direction.unitOrthogonal();
+        for_each_edge_point(f.face.face, [&](const Vec3& x) { azimuths.push_back(azimuth_of(x, axis, zero)); });
+        return range_of(azimuths).second;
+    }
+
+    /// Where a structured mesh turns round an axis: at 45 degrees to the directions that are right-angled to it, or as
+    /// near to that as leaves the edges of holes in these faces in one quarter.
+    [[nodiscard]] std::vector<double> square_corners(const std::vector<const Face*>& faces, const Axis& axis,
+                                                     const Vec3& zero) const {
+        std::vector<std::pair<double, double>> taken;
+        for (const Face* f : faces) {
+            for (const EdgeLoop& loop : b_.face_loops(f->face.face)) {
+                for (const OrientedEdge& use : loop) {
+                    std::vector<double> azimuths;
+                    const auto range = b_.edge_range(use.edge);
+                    for (int i = 0; i <= 16; ++i) {
+                        const double t = range[0] + (range[1] - range[0]) * i / 16;
+                        azimuths.push_back(azimuth_of(b_.edge_point(use.edge, t), axis, zero));
+                    }
+                    const auto [begin, width] = range_of(azimuths);
+                    if (width > 0.1 && width < 170) {
+                        taken.emplace_back(begin, width);
+                    }
+                }
+            }
+        }
+        std::vector<double> result;
+        for (const double middle : {45.0, 135.0, 225.0, 315.0}) {
+            const auto free = [&](double at) {
+                return std::none_of(taken.begin(), taken.end(), [&](const auto& range) {
+                    constexpr double margin = 4;
+                    const double into = at - range.first + margin;
+                    return into - 360 * std::floor(into / 360) < range.second + 2 * margin;
+                });
+            };
+            double at = middle;
+            for (double off = 1; off <= 30 && !free(at); off = off > 0 ? -off : 1 - off) {
+                at = middle + off;
+            }
+            result.push_back(free(at) ? at : middle);
+        }
+        return result;
+    }
+
+    /// The line on a face of revolution on the side \p out of its axis, from end to end.
+    [[nodiscard]] std::optional<CutCurve> meridian(const Face& f, const Axis& axis, const Vec3& out) const {
+        std::vector<Vec2> profile;  // along the axis, and away from it
+        for_each_edge_point(f.face.face, [&](const Vec3& x) {
+            profile.emplace_back((x - axis.origin).dot(axis.direction), distance_to_line(x, axis));
+        });
+        const auto extent = [&](Eigen::Index k) {
+            const auto [low, high] = std::minmax_element(profile.begin(), profile.end(),
+                                                         [k](const Vec2& a, const Vec2& c) { return a[k] < c[k]; });
+            return std::pair(*low, *high);
+        };
+        auto ends = extent(0);
+        if (const auto radial = extent(1); radial.second[1] - radial.first[1] > ends.second[0] - ends.first[0]) {
+            ends = radial;
+        }
+        const auto at = [&](const Vec2& p) -> Vec3 { return axis.origin + p[0] * axis.direction + p[1] * out; };
+        const Vec3 from = at(ends.first);
+        const Vec3 to = at(ends.second);
+        const Vec3 middle = b_.face_point(f.face.face, b_.closest_on_face(f.face.face, 0.5 * (from + to)));
+        if (!((to - from).norm() > 1e-4 * scale_) || !((middle - from).dot(to - middle) > 0)) {
+            return std::nullopt;
+        }
+        return CutCurve{from, middle, to};
+    }
+
     void through_axes() {
         for (const AxisGroup& g : axes_) {
             const std::vector<Vec3> normals = across(g.axis.direction);
@@ -423,9 +559,9 @@ private:
 
 /// Cuts of \p solid worth a try, in the order in which they tend to help: surfaces that stand upright at the feet of
 /// concave blends; planes and cylinders that go on beyond concave edges; planes through the saddles of junctions of
-/// cylinders whose axes meet, as sets; planes through axes; slabs, boxes and cylinders round holes; planes of faces
-/// and circles; planes between holes of different directions. Surfaces that leave the solid on one side are left out,
-/// and so is what came before. O(edges squared).
+/// cylinders whose axes meet, as sets; lines along round faces, where a structured mesh turns; planes through axes;
+/// slabs, boxes and cylinders round holes; planes of faces and circles; planes between holes of different directions.
+/// Surfaces that leave the solid on one side are left out, and so is what came before. O(edges squared).
 template <brep B>
 [[nodiscard]] std::vector<CutCandidate> cut_candidates(const B& b, SolidId solid) {
     return detail::CutFinder<B>(b, solid).run();

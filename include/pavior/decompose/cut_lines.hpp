@@ -9,8 +9,12 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace pavior {
 
@@ -33,6 +37,37 @@ struct CircleArc {
 
 /// Of one kind and in one place.
 [[nodiscard]] PAVIOR_INLINE bool same_surface(const CutSurface& a, const CutSurface& b, double tolerance);
+
+/// How far \p x is from a curve.
+[[nodiscard]] PAVIOR_INLINE double distance_to_curve(const Vec3& x, const CutCurve& curve);
+
+/// The edges that lie on curves of \p cuts, to 1e-5 of their length, ascending. Five evaluations an edge.
+template <brep B>
+[[nodiscard]] std::vector<EdgeId> edges_on_curves(const B& b, std::span<const SolidCut> cuts) {
+    std::vector<EdgeId> result;
+    if (std::all_of(cuts.begin(), cuts.end(), [](const SolidCut& cut) { return cut.curves.empty(); })) {
+        return result;
+    }
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(b.edge_count()); ++i) {
+        const EdgeId e{i};
+        const auto range = b.edge_range(e);
+        std::vector<Vec3> points;
+        for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+            points.push_back(b.edge_point(e, range[0] + part * (range[1] - range[0])));
+        }
+        const double near = 1e-5 * b.edge_length(e);
+        const auto carries = [&](const CutCurve& curve) {
+            return std::all_of(points.begin(), points.end(),
+                               [&](const Vec3& x) { return distance_to_curve(x, curve) <= near; });
+        };
+        if (near > 0 && std::any_of(cuts.begin(), cuts.end(), [&](const SolidCut& cut) {
+                return std::any_of(cut.curves.begin(), cut.curves.end(), carries);
+            })) {
+            result.push_back(e);
+        }
+    }
+    return result;
+}
 
 /// Whether five points of an edge lie on a line, to 1e-6 of its length.
 template <brep B>

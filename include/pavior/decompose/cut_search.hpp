@@ -13,7 +13,7 @@ namespace pavior {
 
 struct CutSearchOptions {
     std::size_t max_cuts = 150;   ///< tries of the cutter, at most
-    std::size_t max_idle = 75;    ///< tries before pieces are meshed together for the first time, at most
+    std::size_t max_idle = 75;    ///< tries of surfaces before pieces are meshed together for the first time, at most
     std::size_t max_meshes = 16;  ///< times that all pieces are meshed together, at most
     std::size_t max_pieces = 24;  ///< of a solid
     double sufficient = 0.2;      ///< nothing more is tried once a mesh has this quality

@@ -45,9 +45,11 @@ template <brep B>
 
 }  // namespace detail
 
-/// What takes \p solid by itself. A few milliseconds, most of them for \p solver. Deterministic if that is.
+/// What takes \p solid by itself, submapped with \p turns (SubmapOptions::turns). A few milliseconds, most of them for
+/// \p solver. Deterministic if that is.
 template <brep B, integer_solver Solver>
-[[nodiscard]] PieceMethods recognise_piece(const B& b, SolidId solid, Solver&& solver) {
+[[nodiscard]] PieceMethods recognise_piece(const B& b, SolidId solid, Solver&& solver,
+                                           const std::vector<EdgeId>& turns = {}) {
     const std::span<const SolidId> one(&solid, 1);
     PieceMethods result;
     for (const EdgeAngle& angle : edge_angles(b, solid)) {
@@ -55,7 +57,7 @@ template <brep B, integer_solver Solver>
     }
     try {
         result.sweep = !recognise_sweeps(b, solid).candidates.empty();
-        (void)recognise_submaps(b, one, SubmapOptions{}, solver);
+        (void)recognise_submaps(b, one, SubmapOptions{{}, turns}, solver);
         result.submap = true;
     } catch (const UnmeshableError&) {
         result.submap = false;

@@ -35,6 +35,11 @@ struct CutCylinder {
     Vec3 seam;  ///< of length 1, perpendicular to the axis: where a kernel that needs a seam puts it
 };
 
+/// A segment or an arc of less than a half circle on faces, which it divides; the solid stays whole.
+struct CutCurve {
+    Vec3 from, middle, to;  ///< middle: of the arc, or of the segment
+};
+
 using CutSurface = std::variant<CutPlane, CutHalfPlane, CutCylinder>;
 
 /// Why an analyst would cut there.
@@ -47,6 +52,7 @@ enum class CutReason : std::uint8_t {
     slab,          ///< two planes on either side of a hole
     step,          ///< the plane of a face, or of a circle, goes on
     between,       ///< between holes of different directions
+    square,        ///< four lines along a round face, where a structured mesh turns
 };
 
 /// The stable name of \p reason, in words.
@@ -60,15 +66,17 @@ enum class CutReason : std::uint8_t {
         case CutReason::slab: return "slab round a hole";
         case CutReason::step: return "step";
         case CutReason::between: return "between holes";
+        case CutReason::square: return "round faces as squares";
     }
     return "unknown";
 }
 
-/// Surfaces that cut one solid together, each as far as it runs inside that solid.
+/// Surfaces that cut one solid together, each as far as it runs inside that solid, or curves that divide its faces.
 struct SolidCut {
     SolidId solid;  ///< of the pieces that the cuts before this one left
     std::vector<CutSurface> surfaces;
     CutReason reason = CutReason::step;
+    std::vector<CutCurve> curves = {};
 };
 
 /// P is solid_pieces if it holds what cuts left of the solids of a model, as a model of its own, whose solids share the
@@ -79,9 +87,10 @@ concept solid_pieces = std::movable<P> && brep<std::remove_cvref_t<decltype(*std
     { p.solid } -> std::convertible_to<const std::vector<SolidId>&>;
 };
 
-/// C is a solid_cutter that makes pieces P if c(cuts), of a span of SolidCut, is what is left of one and the same model
-/// after the cuts in their order (none: the model itself), an optional P: nothing where a cut does not divide its
-/// solid, leaves slivers, or the CAD kernel fails. Every solid without a cut is one piece. Deterministic.
+/// C is a solid_cutter that makes pieces P if c(cuts), of a span of SolidCut, is what is left of one and the same
+/// model after the cuts in their order (none: the model itself), an optional P: nothing where a cut does not divide
+/// its solid, or, with curves alone, its faces, leaves slivers, or the CAD kernel fails. Every solid without a cut is
+/// one piece. Deterministic.
 template <class C, class P>
 concept solid_cutter = solid_pieces<P> && requires(C& cut, std::span<const SolidCut> cuts) {
     { cut(cuts) } -> std::convertible_to<std::optional<P>>;

@@ -71,6 +71,9 @@ struct SubmapTopology {
 struct SubmapModel {
     std::vector<LogicalFace> faces;  ///< by face id; empty for faces of no solid asked for
     std::vector<SubmapTopology> solids;
+    /// Vertices lie along the axes of straight solids as they do in space, whatever the lengths of their edges: for
+    /// solids with SubmapOptions::turns, whose edges are bent.
+    bool as_in_space = false;
 };
 
 }  // namespace pavior

@@ -86,6 +86,7 @@ struct ModelPieces {
     /// Finds, by face of the pieces, the face that it is a piece of, not valid for one that was cut, and gives solids,
     /// faces and edges of the pieces the tags of what they are pieces of. Called before they are meshed.
     std::function<std::vector<FaceId>()> identify;
+    std::vector<EdgeId> turns = {};  ///< edges on the curves of the cuts, as edges_on_curves()
 };
 
 /// Any solid_cutter that can be copied, behind one type; std::ref() of one that cannot.

@@ -266,7 +266,7 @@ inline void add_chosen(const AnyModel& b, const MethodChoice& choice, BoundaryMe
     SubmapModel submaps;
     submaps.faces.resize(b.face_count());
     if (!choice.submaps.empty()) {
-        submaps = recognise_submaps(b, choice.submaps, SubmapOptions{}, kernels.solver);
+        submaps = recognise_submaps(b, choice.submaps, options.submap, kernels.solver);
     }
     IntervalOptions wishes;
     wishes.size = options.size;
@@ -391,7 +391,7 @@ public:
     /// Calls after(mesh) of a mesh made.
     template <class After>
     void run(const AnyModel& b, std::span<const SolidId> solids, After&& after) {
-        std::vector<SolidWays> ways = solid_ways(b, solids, kernels_.solver);
+        std::vector<SolidWays> ways = solid_ways(b, solids, kernels_.solver, options_.submap);
         attempt(b, ways, after);
         for (const bool all : {false, true}) {
             if (!done() && add_flattened(b, all, ways)) {

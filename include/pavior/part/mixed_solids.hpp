@@ -9,6 +9,7 @@
 #include <pavior/part/any_model.hpp>
 #include <pavior/part/kernels.hpp>
 #include <pavior/part/part_options.hpp>
+#include <pavior/submap/submap_classes.hpp>
 
 #include <functional>
 #include <map>
@@ -21,6 +22,7 @@ struct MixedOptions {
     int min_loop = 4;       ///< intervals of a loop of a cap of a one-to-one sweep, at least
     double max_angle = 30;  ///< an edge turns by at most this from one interval to the next, degrees
     LocalSizes sizes;
+    SubmapOptions submap = {};
     Execution execution = sequential;
 };
 

@@ -153,6 +153,7 @@ public:
     double run() {
         SettleOptions own;
         own.size = options_.size;
+        own.near_feature = own.near;
         own.execution = options_.execution;
         on_ = settle_nodes(b_, mesh_, own).of_node;
         double least = raise(false, 30, 2);

@@ -42,11 +42,10 @@ struct PillowedSolids {
 /// Raises the least scaled Jacobian of a mesh, by the first of these that gives enough, else by the best:
 /// 1. layers of hexahedra (pillow()) under faces whose quads of one hexahedron meet at more than options.angle: a
 ///    hexahedron with two quads on one smooth surface is flat there, and no place of its nodes changes that;
-/// 2. nodes that slide on faces and edges (EntityGuide), those that are nearly there moved onto them before (settle_nodes());
-/// 3. layers under the faces at the worst hexahedra.
-/// A layer lies under all faces that hang together smoothly or at concave edges, and leaves through the faces beside
-/// them; where it cannot conform, faces beside it join. Of several solids one layer goes through all, else each gets
-/// its own, also under faces that it shares.
+/// 2. nodes that slide on faces and edges (EntityGuide), those that are nearly there moved onto them before
+/// (settle_nodes()); 3. layers under the faces at the worst hexahedra. A layer lies under all faces that hang together
+/// smoothly or at concave edges, and leaves through the faces beside them; where it cannot conform, faces beside it
+/// join. Of several solids one layer goes through all, else each gets its own, also under faces that it shares.
 /// improve_hexes() follows, first with the boundary fixed, then sliding as in 2. The mesh changes only if the minimum
 /// rises, for a layer by 0.02 at least, and a mesh with a layer only counts if verify_hexes() finds no fault.
 /// \param mesh  conforming, with quads on all faces; of faces that meet smoothly quads may bear the name of another one

@@ -161,7 +161,7 @@ private:
                 if (on_[i].dimension == 1) {
                     nodes_on_[EdgeId{on_[i].id}].emplace_back(on_[i].uv[0], i);
                 } else if (on_[i].dimension == 0 && on_[i].id >= 0) {
-                    node_at_.emplace(on_[i].id, i);
+                    node_at_.emplace(VertexId{on_[i].id}, i);
                 }
             }
             for (auto& [e, nodes] : nodes_on_) {

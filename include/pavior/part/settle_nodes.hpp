@@ -17,7 +17,7 @@ namespace pavior {
 
 /// How settle_nodes() works. Lengths are in the unit of the model.
 struct SettleOptions {
-    double size = 0;            ///< wished length of mesh edges; above 0
+    double size = 0;             ///< wished length of mesh edges; above 0
     double near_feature = 0.75;  ///< nodes go to a vertex or a feature edge from so far away, in sizes
     double near = 0.1;           ///< and so far to a face
     Execution execution = sequential;
@@ -36,9 +36,10 @@ struct SettledNodes {
 /// them belong to the nearest of these faces. A mesh that names smooth faces wrongly, or has been made on triangles,
 /// keeps the feature edges of its model so.
 ///
-/// Inner nodes follow (improve_hexes()) where a hexahedron gets nearly flat, then those on faces and edges, sliding. If
-/// that does not help, nodes of such hexahedra stay where they were, until no hexahedron is worse than nearly flat that was not before.
-/// O(n) and some evaluations of the model a boundary node; the same bytes for any number of threads.
+/// Inner nodes follow (improve_hexes()) where a hexahedron gets nearly flat, then those on faces and edges, sliding.
+/// If that does not help, nodes of such hexahedra stay where they were, until no hexahedron is worse than nearly flat
+/// that was not before. O(n) and some evaluations of the model a boundary node; the same bytes for any number of
+/// threads.
 /// \throws InputError bad_option, size_mismatch, bad_index; Stopped; what the model throws
 PAVIOR_INLINE SettledNodes settle_nodes(const AnyModel& b, SolidsMesh& mesh, const SettleOptions& options);
 

@@ -17,12 +17,12 @@
 namespace pavior {
 
 PAVIOR_INLINE std::vector<SolidWays> solid_ways(const AnyModel& b, std::span<const SolidId> solids,
-                                                const IntegerSolver& solver) {
+                                                const IntegerSolver& solver, const SubmapOptions& submap) {
     std::vector<SolidWays> result;
     for (const SolidId solid : solids) {
         SolidWays ways{solid, true, recognise_sweeps(b, solid).candidates};
         try {
-            (void)recognise_submaps(b, std::span(&solid, 1), SubmapOptions{}, solver);
+            (void)recognise_submaps(b, std::span(&solid, 1), submap, solver);
         } catch (const UnmeshableError&) {
             ways.submap = false;
         }

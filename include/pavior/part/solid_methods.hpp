@@ -7,6 +7,7 @@
 #include <pavior/one_to_one/recognition.hpp>
 #include <pavior/part/any_model.hpp>
 #include <pavior/part/kernels.hpp>
+#include <pavior/submap/submap_classes.hpp>
 
 #include <span>
 #include <vector>
@@ -23,9 +24,10 @@ struct SolidWays {
     [[nodiscard]] bool only_multi_sweep() const { return !submap && sweeps.empty(); }
 };
 
-/// Looks at each of \p solids alone. Deterministic if the solver is.
+/// Looks at each of \p solids alone, submapped as \p submap says. Deterministic if the solver is.
 [[nodiscard]] PAVIOR_INLINE std::vector<SolidWays> solid_ways(const AnyModel& b, std::span<const SolidId> solids,
-                                                              const IntegerSolver& solver);
+                                                              const IntegerSolver& solver,
+                                                              const SubmapOptions& submap = {});
 
 /// The methods chosen.
 struct MethodChoice {

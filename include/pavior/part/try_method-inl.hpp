@@ -220,11 +220,11 @@ inline void try_decompose(Trial& trial);
 
 [[nodiscard]] inline MethodTry try_once(PartMethod method, const AnyModel& model, std::span<const SolidId> solids,
                                         const PartOptions& options, const Kernels& kernels, const TryTimes& times,
-                                        bool layers = true) {
+                                        bool layers = true, SubmapOptions submap = {}) {
     MethodTry result;
     result.method = method;
     const Stopwatch watch;
-    Trial trial{model, solids, options, kernels, times.out_of_time, result, times.seconds};
+    Trial trial{model, solids, options, kernels, times.out_of_time, result, times.seconds, {}, std::move(submap)};
     try {
         switch (method) {
             case PartMethod::submap: try_submap(trial); break;
@@ -271,7 +271,8 @@ inline void try_decompose(Trial& trial) {
         TryTimes times;
         times.out_of_time = trial.out_of_time;
         times.no_time_to_check = [] { return true; };  // the whole is checked
-        return try_once(method, *pieces.model, solids, trial.options, own_kernels, times, false);
+        return try_once(method, *pieces.model, solids, trial.options, own_kernels, times, !pieces.turns.empty(),
+                        SubmapOptions{{}, pieces.turns});
     };
     CutSearchOptions own;
     own.sufficient = trial.options.sufficient;

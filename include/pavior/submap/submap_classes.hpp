@@ -26,6 +26,10 @@ namespace pavior {
 
 struct SubmapOptions {
     CornerOptions corners;  ///< how far angles of faces and between faces may be from their classes
+    /// Edges at which solids turn by a right angle though their faces go on in each other, ascending: lines along round
+    /// faces. One stack of hexahedra inside where the surface bulges (a shaft becomes a square bar), three where it is
+    /// hollow (a drilled hole becomes a square one). Corners of faces at their ends may be a right angle off.
+    std::vector<EdgeId> turns = {};
 };
 
 /// Classes of the angles of one solid.
@@ -54,6 +58,28 @@ template <brep B>
     std::string text = std::to_string(std::round(10.0 * angle) / 10.0);
     text.erase(text.find_last_not_of('0') + 1);
     return (text.back() == '.' ? text.substr(0, text.size() - 1) : text) + " degrees";
+}
+
+/// Whether the surface of the first face of half-edge \p h bends away from the outside across the edge, as a shaft
+/// does.
+template <brep B>
+[[nodiscard]] bool bulges(const B& b, const SolidBoundary& boundary, std::size_t h) {
+    const SolidBoundary::HalfEdge& edge = boundary.half_edges[h];
+    const OrientedFace f = boundary.faces[edge.face].face;
+    const auto range = b.edge_range(edge.use.edge);
+    const Vec2 uv = b.edge_on_face(edge.use.edge, 0.5 * (range[0] + range[1]), f.face, edge.use.forward == f.outward);
+    const auto normal = [&](const Vec2& at) -> Vec3 {
+        const auto [du, dv] = b.face_derivatives(f.face, at);
+        return (f.outward ? 1.0 : -1.0) * du.cross(dv).normalized();
+    };
+    const auto [du, dv] = b.face_derivatives(f.face, uv);
+    const Vec3 n = normal(uv);
+    const Vec3 along = b.edge_derivative(edge.use.edge, 0.5 * (range[0] + range[1])).normalized();
+    const Vec3 across = 1e-3 * b.edge_length(edge.use.edge) * n.cross(along);
+    Eigen::Matrix<double, 3, 2> frame;
+    frame << du, dv;
+    const Vec2 step = (frame.transpose() * frame).inverse() * frame.transpose() * across;
+    return (normal(uv + step) - normal(uv - step)).dot(across) > 0;
 }
 
 /// The integer program: one binary variable for each way to classify an umbrella.
@@ -118,7 +144,10 @@ private:
         for (std::size_t h = 0; h < boundary.half_edges.size(); ++h) {
             angles.corner.push_back(boundary.half_edges[h].angle);
             const std::size_t twin = boundary.half_edges[h].twin;
-            angles.dihedral.push_back(twin < h ? angles.dihedral[twin] : mean_dihedral(b_, boundary, h));
+            const auto angle = [&] {
+                return turns(boundary, h) ? bulges(b_, boundary, h) ? 90 : 270 : mean_dihedral(b_, boundary, h);
+            };
+            angles.dihedral.push_back(twin < h ? angles.dihedral[twin] : angle());
         }
         for (const SolidBoundary::Face& face : boundary.faces) {
             if (face.loops.empty()) {
@@ -133,13 +162,40 @@ private:
         }
     }
 
+    [[nodiscard]] bool turns(const SolidBoundary& boundary, std::size_t h) const {
+        return std::binary_search(options_.turns.begin(), options_.turns.end(), boundary.half_edges[h].use.edge);
+    }
+
+    /// For corners at some half-edges: any class within a right angle where one of them turns.
+    [[nodiscard]] CornerOptions corner_options(const SolidBoundary& boundary, std::span<const std::size_t> some) const {
+        CornerOptions result = options_.corners;
+        if (std::any_of(some.begin(), some.end(), [&](std::size_t h) { return turns(boundary, h); })) {
+            result.max_deviation = 90;
+        }
+        return result;
+    }
+
+    /// Angles between faces are as near to their classes as anywhere, those of turns are these.
+    [[nodiscard]] bool keeps_dihedrals(std::size_t s, const Umbrella& umbrella, const VertexClasses& classes) const {
+        for (std::size_t i = 0; i < umbrella.half_edges.size(); ++i) {
+            const std::size_t h = umbrella.half_edges[i];
+            const double off = std::abs(angles_[s].dihedral[h] - 90.0 * classes.dihedral[i]);
+            if (off > (turns(solids_[s], h) ? 1.0 : options_.corners.max_deviation + 1e-9)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     void add_umbrella(std::size_t s, Umbrella umbrella) {
         std::vector<double> corner, dihedral;
         for (const std::size_t h : umbrella.half_edges) {
             corner.push_back(angles_[s].corner[h]);
             dihedral.push_back(angles_[s].dihedral[h]);
         }
-        std::vector<VertexClasses> all = vertex_classes(corner, dihedral, options_.corners);
+        std::vector<VertexClasses> all =
+            vertex_classes(corner, dihedral, corner_options(solids_[s], umbrella.half_edges));
+        std::erase_if(all, [&](const VertexClasses& classes) { return !keeps_dihedrals(s, umbrella, classes); });
         if (all.empty()) {
             throw no_classes(s, umbrella, corner, dihedral);
         }
@@ -203,11 +259,13 @@ private:
                         row[variable] += coefficient;
                     }
                 }
-                const int turns = l == 0 ? 4 : -4;
-                if (!classify_loop(angles, turns, options_.corners)) {
+                const int total = l == 0 ? 4 : -4;
+                if (!classify_loop(
+                        angles, total,
+                        options_.turns.empty() ? options_.corners : CornerOptions{90, options_.corners.reversals})) {
                     throw wrong_turning(face, l, angles);
                 }
-                add_row(row, 2.0 * static_cast<double>(loop.size()) - turns, {face.tag});
+                add_row(row, 2.0 * static_cast<double>(loop.size()) - total, {face.tag});
             }
         }
     }

@@ -139,7 +139,9 @@ private:
                 if (items[i].sign < 0 || items[j].sign > 0) {
                     continue;
                 }
-                const bool solid_between = items[j].place < items[i].place;
+                // In one place: faces see a gap between them, and so must their edges in a face that both stand on.
+                const double way = items[i].place - items[j].place;
+                const bool solid_between = way == 0 ? items[i].edge : way > 0;
                 const std::size_t low = solid_between ? j : i, high = solid_between ? i : j;
                 if (at[high] - at[low] < 1 && met(items[low], items[high])) {
                     const IntervalSum sum = difference(x[items[high].vertex], x[items[low].vertex]);

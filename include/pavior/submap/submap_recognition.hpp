@@ -190,6 +190,7 @@ template <brep B, integer_solver Solver>
     const std::vector<SolidClasses> classes =
         classify_solids(b, std::span<const SolidBoundary>(boundaries), options, solver);
     SubmapModel result;
+    result.as_in_space = !options.turns.empty();
     result.faces.resize(b.face_count());
     for (std::size_t s = 0; s < solids.size(); ++s) {
         for (std::size_t f = 0; f < boundaries[s].faces.size(); ++f) {

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -197,20 +198,47 @@ private:
 
     void add(IntervalRule rule) { builder_.system().rules.push_back(std::move(rule)); }
 
-    void add_solid(const SubmapTopology& solid) {
-        SolidUnknowns unknowns;
+    /// Calls visit(use, direction) for every edge of a solid, once.
+    template <class Visit>
+    void for_each_edge(const SubmapTopology& solid, Visit&& visit) const {
         std::set<EdgeId> seen;
-        std::vector<int> holed;
         for (const LogicalSide& side : solid.sides) {
-            const LogicalFace& face = model_.faces[side.face.face.index()];
-            for (const LogicalLoop& loop : face.loops) {
+            for (const LogicalLoop& loop : model_.faces[side.face.face.index()].loops) {
                 for (std::size_t i = 0; i < loop.uses.size(); ++i) {
                     if (seen.insert(loop.uses[i].edge).second) {
-                        add_edge_steps(unknowns, loop.uses[i], side.direction(loop.heading[i]));
+                        visit(loop.uses[i], side.direction(loop.heading[i]));
                     }
                 }
             }
-            if (!face.links.empty()) {
+        }
+    }
+
+    [[nodiscard]] Vec3 chord(OrientedEdge use) const {
+        const auto ends = b_.edge_vertices(use.edge);
+        return (use.forward ? 1.0 : -1.0) * (b_.vertex_point(ends[1]) - b_.vertex_point(ends[0]));
+    }
+
+    /// Directions in space of the axes of a solid, if each of its edges leads along its own, within 60 degrees.
+    [[nodiscard]] std::optional<std::array<Vec3, 3>> straight_axes(const SubmapTopology& solid) const {
+        std::array<Vec3, 3> axes{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+        for_each_edge(solid, [&](OrientedEdge use, SignedAxis d) { axes[d.axis()] += d.sign() * chord(use); });
+        for (Vec3& axis : axes) {
+            axis.normalize();
+        }
+        bool straight = true;
+        for_each_edge(solid, [&](OrientedEdge use, SignedAxis d) {
+            const Vec3 way = chord(use);
+            straight = straight && d.sign() * way.dot(axes[d.axis()]) > 0.5 * way.norm();
+        });
+        return straight ? std::optional(axes) : std::nullopt;
+    }
+
+    void add_solid(const SubmapTopology& solid) {
+        SolidUnknowns unknowns;
+        for_each_edge(solid, [&](OrientedEdge use, SignedAxis d) { add_edge_steps(unknowns, use, d); });
+        std::vector<int> holed;
+        for (const LogicalSide& side : solid.sides) {
+            if (!model_.faces[side.face.face.index()].links.empty()) {
                 holed.push_back(b_.tag(2, side.face.face.index()));
             }
         }
@@ -218,6 +246,14 @@ private:
             add_link_steps(unknowns, side);
         }
         unknowns.resolve();
+        const auto axes = model_.as_in_space ? straight_axes(solid) : std::nullopt;
+        if (axes) {
+            for (const auto& [v, i] : unknowns.index) {
+                for (std::size_t a = 0; a < 3; ++a) {
+                    unknowns.length[a][i] = b_.vertex_point(v).dot((*axes)[a]);
+                }
+            }
+        }
         for (std::size_t a = 0; a < 3; ++a) {
             for (const std::size_t i : unknowns.closing[a]) {
                 const LatticeStep& step = unknowns.steps[a][i];

@@ -72,8 +72,8 @@ public:
     }
 
     /// The least number of equal intervals, from \p least to \p most, with which no chord along an edge on a chain is
-    /// farther from it than if it turned by \p max_angle degrees evenly; if there is none (a kink), the least number that
-    /// is nearly as good as the best. \p least for other edges.
+    /// farther from it than if it turned by \p max_angle degrees evenly; if there is none (a kink), the least number
+    /// that is nearly as good as the best. \p least for other edges.
     [[nodiscard]] std::uint32_t intervals_round_bends(Index e, double max_angle, std::uint32_t least,
                                                       std::uint32_t most) const {
         if (blocks_.nodes[blocks_.edge_origin(e)].dimension != 1 || most <= least) {

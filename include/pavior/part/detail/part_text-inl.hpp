@@ -73,6 +73,9 @@ PAVIOR_INLINE std::string text_of(const SolidCut& cut) {
     for (std::size_t i = 0; i < cut.surfaces.size(); ++i) {
         text += (i == 0 ? ": " : ", ") + text_of(cut.surfaces[i]);
     }
+    if (!cut.curves.empty()) {
+        text += (cut.surfaces.empty() ? ": " : ", ") + std::to_string(cut.curves.size()) + " lines along them";
+    }
     return text;
 }
 

@@ -39,7 +39,7 @@ inline void take_mesh(Trial& trial, SolidsMesh mesh) {
 }
 
 PAVIOR_INLINE void try_submap(Trial& trial) {
-    SubmappedMesh mesh = submap_model(trial.model, trial.solids, wishes_of(trial), trial.kernels.solver);
+    SubmappedMesh mesh = submap_model(trial.model, trial.solids, wishes_of(trial), trial.kernels.solver, trial.submap);
     trial.describe(&mesh);
     for (const SubmapSolidReport& solid : mesh.solids) {
         trial.result.notes.push_back(note_of(solid));
@@ -92,6 +92,7 @@ PAVIOR_INLINE void try_mixed(Trial& trial) {
     own.execution = trial.options.execution;
     own.sizes = local_sizes(trial);
     own.max_angle = trial.options.max_angle;
+    own.submap = trial.submap;
     MixedSolids mesh;
     with_finer_sizes(trial.size(), trial.result.warnings, [&](double size, int min_loop) {
         own.size = size;
