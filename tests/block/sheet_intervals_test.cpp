@@ -87,8 +87,8 @@ TEST_CASE("a bend in one part of a chain gets chords that follow it, none shorte
         const auto sheets = numbers(intervals(c, size));
         return sheets.back();
     };
-    CHECK(most(0.5) >= 8);                        // the size alone follows the bend
-    CHECK(most(1.5) > std::lround(3.9 / 1.5));    // here it does not
+    CHECK(most(0.5) >= 8);                      // the size alone follows the bend
+    CHECK(most(1.5) > std::lround(3.9 / 1.5));  // here it does not
     CHECK(most(1.5) <= std::lround(2 * 4.1 / 1.5));
     const Case straight = block_cases::grid({80, 2, 2}, {}, [](const Vec3& x) { return Vec3(7.5 * x[0], x[1], x[2]); });
     CHECK(numbers(intervals(straight, 1.5)).back() == std::lround(3.75 / 1.5));

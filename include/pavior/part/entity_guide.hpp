@@ -17,9 +17,7 @@
 namespace pavior {
 
 /// The entity of a node that stays where it is, for whatever reason.
-[[nodiscard]] inline NodeEntity held_node() {
-    return {0, -1, Vec2::Zero()};
-}
+[[nodiscard]] inline NodeEntity held_node() { return {0, -1, Vec2::Zero()}; }
 
 /// The node_guide of a mesh whose nodes know what they lie on: those of dimension 0 (vertices) are fixed, those of 1
 /// and 2 slide on their edge or face, those of 3 are free. Points are sought from the parameters of the node on, and on
