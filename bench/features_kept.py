@@ -1,7 +1,7 @@
 """Whether a hexahedral mesh keeps the feature edges of a CAD model and its volume: read by scoreboard.py.
 
-A feature edge is one where two faces meet, all along, at an angle that differs from flat by FLAT degrees or more. It is kept if the
-nodes of the mesh within 1e-6 sizes of it, in the order of the curve, are joined by edges of hexahedra one after
+A feature edge is one where two faces meet, all along, at an angle that differs from flat by FLAT degrees or more. It is
+kept if the nodes of the mesh within 1e-6 sizes of it, in the order of the curve, are joined by edges of hexahedra one after
 another, from end to end. Uses Gmsh's module for the model and VTK for the mesh; nothing of pavior.
 """
 import math

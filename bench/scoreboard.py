@@ -6,8 +6,8 @@
                                          [--table docs/scoreboard.md] [NAME=SIZE=PATH...]
 
 Sets: the machined parts of examples/data/mfcad at size 1; examples/data/mambo, solids and hexme, the assemblies of
-bench/assemblies.py, and the nine families of bench/families.py, drawn for --seeds, at the longest side / 20; and those given. SIZE is a length, or "/20" for a part of the
-longest side. --check names an independent checker that is run on every mesh as `/usr/bin/python3 CHECK MESH` and must exit
+bench/assemblies.py, and the nine families of bench/families.py, drawn for --seeds, at the longest side / 20; and those
+given. SIZE is a length, or "/20" for a part of the longest side. --check names an independent checker that is run on every mesh as `/usr/bin/python3 CHECK MESH` and must exit
 with 0. Every mesh is checked against the CAD model: feature edges are chains of its edges, its volume is off by no more than
 chords explain (features_kept.py). Exit code 1 if a check fails, or a part gave neither a valid mesh nor a refusal with its
 reason.

@@ -7,6 +7,8 @@
 #include "saved_model.hpp"
 #include "scratch_folder.hpp"
 
+#include <pavior/decompose/cut_lines.hpp>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -91,14 +93,11 @@ private:
 /// Makes the line of a curve in the current model.
 std::pair<int, int> make_curve(const CutCurve& curve) {
     const auto point = [](const Vec3& x) { return occ::addPoint(x[0], x[1], x[2]); };
-    const Vec3 u = curve.middle - curve.from;
-    const Vec3 v = curve.to - curve.from;
-    const Vec3 w = u.cross(v);
-    if (w.norm() <= 1e-9 * v.squaredNorm()) {
+    const std::optional<Vec3> centre = circle_centre(curve.from, curve.middle, curve.to);
+    if (!centre) {
         return {1, occ::addLine(point(curve.from), point(curve.to))};
     }
-    const Vec3 arm = (u.squaredNorm() * v.cross(w) + v.squaredNorm() * w.cross(u)) / (2 * w.squaredNorm());
-    return {1, occ::addCircleArc(point(curve.from), point(curve.from + arm), point(curve.to))};
+    return {1, occ::addCircleArc(point(curve.from), point(*centre), point(curve.to))};
 }
 
 /// Cuts one solid of the current model by faces, and faces by curves; both are used up.

@@ -64,28 +64,35 @@ PAVIOR_INLINE bool same_surface(const CutSurface& a, const CutSurface& b, double
     return std::visit(detail::SameSurface{tolerance}, a, b);
 }
 
+PAVIOR_INLINE std::optional<Vec3> circle_centre(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 u = b - a;
+    const Vec3 v = c - a;
+    const Vec3 w = u.cross(v);
+    if (!(w.norm() > 1e-9 * u.norm() * v.norm())) {
+        return std::nullopt;
+    }
+    return a + (u.squaredNorm() * v.cross(w) + v.squaredNorm() * w.cross(u)) / (2 * w.squaredNorm());
+}
+
 PAVIOR_INLINE double distance_to_curve(const Vec3& x, const CutCurve& curve) {
     const auto to_segment = [&](const Vec3& from, const Vec3& to) {
         const double square = (to - from).squaredNorm();
         const double part = square > 0 ? std::clamp((x - from).dot(to - from) / square, 0.0, 1.0) : 0.0;
         return (x - from - part * (to - from)).norm();
     };
-    const Vec3 u = curve.middle - curve.from;
-    const Vec3 v = curve.to - curve.from;
-    const Vec3 w = u.cross(v);
-    if (w.norm() <= 1e-9 * v.squaredNorm()) {
+    const std::optional<Vec3> found = circle_centre(curve.from, curve.middle, curve.to);
+    if (!found) {
         return to_segment(curve.from, curve.to);
     }
-    const Vec3 arm = (u.squaredNorm() * v.cross(w) + v.squaredNorm() * w.cross(u)) / (2 * w.squaredNorm());
-    const Vec3 centre = curve.from + arm;
-    const Vec3 n = w.normalized();
+    const Vec3& centre = *found;
+    const Vec3 n = (curve.middle - curve.from).cross(curve.to - curve.from).normalized();
     const Vec3 in_plane = x - centre - (x - centre).dot(n) * n;
     const bool between =
         (curve.from - centre).cross(in_plane).dot(n) >= 0 && in_plane.cross(curve.to - centre).dot(n) >= 0;
     if (!between) {
         return std::min((x - curve.from).norm(), (x - curve.to).norm());
     }
-    return std::hypot(in_plane.norm() - arm.norm(), (x - centre).dot(n));
+    return std::hypot(in_plane.norm() - (curve.from - centre).norm(), (x - centre).dot(n));
 }
 
 }  // namespace pavior

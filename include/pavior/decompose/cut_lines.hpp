@@ -38,6 +38,9 @@ struct CircleArc {
 /// Of one kind and in one place.
 [[nodiscard]] PAVIOR_INLINE bool same_surface(const CutSurface& a, const CutSurface& b, double tolerance);
 
+/// The centre of the circle through three points; nothing where they lie on a line, or nearly (to 1e-9).
+[[nodiscard]] PAVIOR_INLINE std::optional<Vec3> circle_centre(const Vec3& a, const Vec3& b, const Vec3& c);
+
 /// How far \p x is from a curve.
 [[nodiscard]] PAVIOR_INLINE double distance_to_curve(const Vec3& x, const CutCurve& curve);
 
@@ -94,14 +97,12 @@ template <brep B>
     const auto range = b.edge_range(edge);
     const auto at = [&](double part) { return b.edge_point(edge, range[0] + part * (range[1] - range[0])); };
     const Vec3 p = at(0);
-    const Vec3 u = at(0.31) - p;
-    const Vec3 v = at(0.67) - p;
-    const Vec3 w = u.cross(v);
-    if (!(w.norm() > 1e-9 * u.norm() * v.norm())) {
+    const std::optional<Vec3> centre = circle_centre(p, at(0.31), at(0.67));
+    if (!centre) {
         return std::nullopt;
     }
-    const Vec3 arm = (u.squaredNorm() * v.cross(w) + v.squaredNorm() * w.cross(u)) / (2 * w.squaredNorm());
-    const CircleArc arc{{p + arm, w.normalized()}, arm.norm()};
+    const Vec3 normal = (at(0.31) - p).cross(at(0.67) - p).normalized();
+    const CircleArc arc{{*centre, normal}, (*centre - p).norm()};
     for (const double part : {0.12, 0.5, 0.83, 1.0}) {
         const Vec3 x = at(part) - arc.axis.origin;
         if (std::abs(x.norm() - arc.radius) > 1e-6 * arc.radius ||

@@ -145,8 +145,23 @@ private:
                 targets_[i] = distance < 1e-10 * options_.size ? before_[i] : to;
             }
         }
+        gather();
         for (const FeaturePath& path : feature_paths(b_, features_)) {
             space_out(path, moved);
+        }
+    }
+
+    /// The nodes of each vertex and edge.
+    void gather() {
+        for (const Index i : IndexRange(on_.size())) {
+            if (on_[i].dimension == 1) {
+                nodes_on_[EdgeId{on_[i].id}].emplace_back(on_[i].uv[0], i);
+            } else if (on_[i].dimension == 0 && on_[i].id >= 0) {
+                node_at_.emplace(VertexId{on_[i].id}, i);
+            }
+        }
+        for (auto& [e, nodes] : nodes_on_) {
+            std::sort(nodes.begin(), nodes.end());
         }
     }
 
@@ -156,18 +171,6 @@ private:
             const auto found = node_at_.find(v);
             return found != node_at_.end() && moved[found->second] != 0 ? found->second : no_index;
         };
-        if (node_at_.empty()) {
-            for (const Index i : IndexRange(on_.size())) {
-                if (on_[i].dimension == 1) {
-                    nodes_on_[EdgeId{on_[i].id}].emplace_back(on_[i].uv[0], i);
-                } else if (on_[i].dimension == 0 && on_[i].id >= 0) {
-                    node_at_.emplace(VertexId{on_[i].id}, i);
-                }
-            }
-            for (auto& [e, nodes] : nodes_on_) {
-                std::sort(nodes.begin(), nodes.end());
-            }
-        }
         std::vector<Index> line{at_vertex(path.vertices.front())};
         bool passed_by = false;
         for (std::size_t k = 0; k < path.edges.size(); ++k) {

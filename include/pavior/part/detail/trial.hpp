@@ -24,7 +24,7 @@ struct Trial {
     double seconds = 0;  ///< limit; 0: none
     /// How far a mesh of the method is from the model, where the method knows more of it than the faces of its quads.
     std::function<double(const HexMeshData&)> distance = {};
-    SubmapOptions submap = {};
+    SubmapOptions submap = {};  ///< with the lines of SolidCut::curves
 
     /// Wished length of mesh edges.
     [[nodiscard]] double size() const { return options.size > 0 ? options.size : model.diagonal() / 12; }
