@@ -152,3 +152,16 @@ TEST_CASE("Candidates of random solids divide them, none comes twice, and they a
     }
     CHECK(looked_at > 20);
 }
+
+TEST_CASE("Ranges of azimuths go round the least way, over 180 degrees, too; a cylinder goes all round its axis") {
+    const auto [begin, width] = detail::azimuth_range({170, -170, 178});
+    CHECK(begin == 170);
+    CHECK(width == Approx(20));
+    CHECK(detail::azimuth_range({30}).second == Approx(0).margin(1e-12));
+    TestBrep b;
+    add_cylinder(b, 2, 2, 3);
+    CHECK(detail::degrees_round(b, FaceId{0}, {Vec3::Zero(), Vec3::UnitZ()}) > 300);
+    const std::vector<FaceId> wall{FaceId{0}};
+    CHECK(detail::square_corners(b, std::span<const FaceId>(wall), {Vec3::Zero(), Vec3::UnitZ()}, Vec3::UnitX()) ==
+          std::vector<double>{45, 135, 225, 315});
+}

@@ -44,6 +44,13 @@ template <brep B>
 
 }  // namespace detail
 
+/// The unit normal of a face that leaves the solid, at parameters \p uv; not finite where the face has none.
+template <brep B>
+[[nodiscard]] Vec3 outward_normal(const B& b, const OrientedFace& f, const Vec2& uv) {
+    const auto [du, dv] = b.face_derivatives(f.face, uv);
+    return (f.outward ? 1.0 : -1.0) * du.cross(dv).normalized();
+}
+
 /// Unit normal of face \p f, pointing out of the solid that uses it, at fraction \p at in [0, 1] along the boundary
 /// edge \p use, where \p use runs in the sense of the face's loop as seen from outside that solid.
 /// At a singular point of the parametrisation the normal a little further inside the edge; zero if that fails too.

@@ -3,6 +3,7 @@
 /// Where a solid might be cut: the cuts that an analyst would look at.
 
 #include <pavior/decompose/cut_lines.hpp>
+#include <pavior/decompose/detail/round_lines.hpp>
 #include <pavior/decompose/edge_angles.hpp>
 #include <pavior/decompose/face_shape.hpp>
 #include <pavior/decompose/solid_cut.hpp>
@@ -37,7 +38,7 @@ public:
     CutFinder(const B& b, SolidId solid) : b_(b), angles_(edge_angles(b, solid)) {
         for (const OrientedFace& f : b.solid_faces(solid)) {
             faces_.push_back({f, face_shape(b, f)});
-            for_each_edge_point(f.face, [&](const Vec3& x) { points_.push_back(x); });
+            for_each_edge_point(b, f.face, [&](const Vec3& x) { points_.push_back(x); });
             for (const Vec2& uv : face_samples(b, f.face)) {  // inside a disc, too
                 points_.push_back(b.face_point(f.face, uv));
             }
@@ -77,19 +78,6 @@ private:
         double low = 0, high = 0;    ///< extent along the axis
     };
 
-    /// Calls visit(x) with points of each edge of a face.
-    template <class Visit>
-    void for_each_edge_point(FaceId face, Visit&& visit) const {
-        for (const EdgeLoop& loop : b_.face_loops(face)) {
-            for (const OrientedEdge& use : loop) {
-                const auto range = b_.edge_range(use.edge);
-                for (int i = 0; i <= 8; ++i) {
-                    visit(b_.edge_point(use.edge, range[0] + (range[1] - range[0]) * i / 8));
-                }
-            }
-        }
-    }
-
     [[nodiscard]] const FaceShape& shape_of(const OrientedFace& f) const {
         return std::find_if(faces_.begin(), faces_.end(), [&](const Face& own) { return own.face.face == f.face; })
             ->shape;
@@ -104,7 +92,7 @@ private:
             double high = -1e300;
             double least = 1e300;
             double most = 0;
-            for_each_edge_point(f.face.face, [&](const Vec3& x) {
+            for_each_edge_point(b_, f.face.face, [&](const Vec3& x) {
                 const double z = (x - f.shape.axis.origin).dot(f.shape.axis.direction);
                 const double r = distance_to_line(x, f.shape.axis);
                 low = std::min(low, z);
@@ -113,10 +101,8 @@ private:
                 most = std::max(most, r);
             });
             const bool cylinder = f.shape.kind == FaceKind::cylinder;
-            const auto same = std::find_if(axes_.begin(), axes_.end(), [&](const AxisGroup& g) {
-                return g.axis.direction.cross(f.shape.axis.direction).norm() < 1e-6 &&
-                       distance_to_line(f.shape.axis.origin, g.axis) < 1e-5 * scale_;
-            });
+            const auto same =
+                std::find_if(axes_.begin(), axes_.end(), [&](const AxisGroup& g) { return on_axis(f.shape, g); });
             if (same == axes_.end()) {
                 axes_.push_back({f.shape.axis, least, most, f.shape.hollow, cylinder, low, high});
                 continue;
@@ -349,17 +335,21 @@ private:
         std::vector<CutCurve> hollow;
         for (const AxisGroup& g : axes_) {
             std::vector<const Face*> round;
+            std::vector<FaceId> faces;
             for (const Face& f : faces_) {
-                if (on_axis(f, g) && span_of(f, g.axis) > 100) {
+                const bool revolved = f.shape.kind == FaceKind::cylinder || f.shape.kind == FaceKind::revolved;
+                if (revolved && on_axis(f.shape, g) && degrees_round(b_, f.face.face, g.axis) > 100) {
                     round.push_back(&f);
+                    faces.push_back(f.face.face);
                 }
             }
             const Vec3 n = across(g.axis.direction).front();
             const Vec3 m = g.axis.direction.cross(n).normalized();
-            for (const double azimuth : square_corners(round, {g.axis.origin, g.axis.direction}, n)) {
-                const Vec3 out = std::cos(azimuth * degree) * n + std::sin(azimuth * degree) * m;
+            for (const double azimuth : square_corners(b_, faces, g.axis, n)) {
+                const double angle = azimuth * std::numbers::pi / 180;
+                const Vec3 out = std::cos(angle) * n + std::sin(angle) * m;
                 for (const Face* f : round) {
-                    if (const auto curve = meridian(*f, g.axis, out)) {
+                    if (const auto curve = meridian(b_, f->face.face, g.axis, out, 1e-4 * scale_)) {
                         all.push_back(*curve);
                         if (f->shape.hollow) {
                             hollow.push_back(*curve);
@@ -376,104 +366,9 @@ private:
         }
     }
 
-    static constexpr double degree = std::numbers::pi / 180;
-
-    [[nodiscard]] bool on_axis(const Face& f, const AxisGroup& g) const {
-        const bool round = f.shape.kind == FaceKind::cylinder || f.shape.kind == FaceKind::revolved;
-        return round && g.axis.direction.cross(f.shape.axis.direction).norm() < 1e-6 &&
-               distance_to_line(f.shape.axis.origin, g.axis) < 1e-5 * scale_;
-    }
-
-    /// Degrees round an axis, from \p zero on, in (-180, 180].
-    [[nodiscard]] static double azimuth_of(const Vec3& x, const Axis& axis, const Vec3& zero) {
-        const Vec3 arm = x - axis.origin;
-        return std::atan2(arm.dot(axis.direction.cross(zero)), arm.dot(zero)) / degree;
-    }
-
-    /// The least range that some azimuths lie in: its begin and its width.
-    [[nodiscard]] static std::pair<double, double> range_of(std::vector<double> azimuths) {
-        std::sort(azimuths.begin(), azimuths.end());
-        double gap = 360 - (azimuths.back() - azimuths.front());
-        double begin = azimuths.front();
-        for (std::size_t i = 1; i < azimuths.size(); ++i) {
-            if (azimuths[i] - azimuths[i - 1] > gap) {
-                gap = azimuths[i] - azimuths[i - 1];
-                begin = azimuths[i];
-            }
-        }
-        return {begin, 360 - gap};
-    }
-
-    /// By how many degrees a face goes round an axis.
-    [[nodiscard]] double span_of(const Face& f, const Axis& axis) const {
-        std::vector<double> azimuths;
-        const Vec3 zero = axis.direction.unitOrthogonal();
-        for_each_edge_point(f.face.face, [&](const Vec3& x) { azimuths.push_back(azimuth_of(x, axis, zero)); });
-        return range_of(azimuths).second;
-    }
-
-    /// Where a structured mesh turns round an axis: at 45 degrees to the directions that are right-angled to it, or as
-    /// near to that as leaves the edges of holes in these faces in one quarter.
-    [[nodiscard]] std::vector<double> square_corners(const std::vector<const Face*>& faces, const Axis& axis,
-                                                     const Vec3& zero) const {
-        std::vector<std::pair<double, double>> taken;
-        for (const Face* f : faces) {
-            for (const EdgeLoop& loop : b_.face_loops(f->face.face)) {
-                for (const OrientedEdge& use : loop) {
-                    std::vector<double> azimuths;
-                    const auto range = b_.edge_range(use.edge);
-                    for (int i = 0; i <= 16; ++i) {
-                        const double t = range[0] + (range[1] - range[0]) * i / 16;
-                        azimuths.push_back(azimuth_of(b_.edge_point(use.edge, t), axis, zero));
-                    }
-                    const auto [begin, width] = range_of(azimuths);
-                    if (width > 0.1 && width < 170) {
-                        taken.emplace_back(begin, width);
-                    }
-                }
-            }
-        }
-        std::vector<double> result;
-        for (const double middle : {45.0, 135.0, 225.0, 315.0}) {
-            const auto free = [&](double at) {
-                return std::none_of(taken.begin(), taken.end(), [&](const auto& range) {
-                    constexpr double margin = 4;
-                    const double into = at - range.first + margin;
-                    return into - 360 * std::floor(into / 360) < range.second + 2 * margin;
-                });
-            };
-            double at = middle;
-            for (double off = 1; off <= 30 && !free(at); off = off > 0 ? -off : 1 - off) {
-                at = middle + off;
-            }
-            result.push_back(free(at) ? at : middle);
-        }
-        return result;
-    }
-
-    /// The line on a face of revolution on the side \p out of its axis, from end to end.
-    [[nodiscard]] std::optional<CutCurve> meridian(const Face& f, const Axis& axis, const Vec3& out) const {
-        std::vector<Vec2> profile;  // along the axis, and away from it
-        for_each_edge_point(f.face.face, [&](const Vec3& x) {
-            profile.emplace_back((x - axis.origin).dot(axis.direction), distance_to_line(x, axis));
-        });
-        const auto extent = [&](Eigen::Index k) {
-            const auto [low, high] = std::minmax_element(profile.begin(), profile.end(),
-                                                         [k](const Vec2& a, const Vec2& c) { return a[k] < c[k]; });
-            return std::pair(*low, *high);
-        };
-        auto ends = extent(0);
-        if (const auto radial = extent(1); radial.second[1] - radial.first[1] > ends.second[0] - ends.first[0]) {
-            ends = radial;
-        }
-        const auto at = [&](const Vec2& p) -> Vec3 { return axis.origin + p[0] * axis.direction + p[1] * out; };
-        const Vec3 from = at(ends.first);
-        const Vec3 to = at(ends.second);
-        const Vec3 middle = b_.face_point(f.face.face, b_.closest_on_face(f.face.face, 0.5 * (from + to)));
-        if (!((to - from).norm() > 1e-4 * scale_) || !((middle - from).dot(to - middle) > 0)) {
-            return std::nullopt;
-        }
-        return CutCurve{from, middle, to};
+    [[nodiscard]] bool on_axis(const FaceShape& shape, const AxisGroup& g) const {
+        return g.axis.direction.cross(shape.axis.direction).norm() < 1e-6 &&
+               distance_to_line(shape.axis.origin, g.axis) < 1e-5 * scale_;
     }
 
     void through_axes() {

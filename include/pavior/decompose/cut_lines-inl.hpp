@@ -75,14 +75,11 @@ PAVIOR_INLINE std::optional<Vec3> circle_centre(const Vec3& a, const Vec3& b, co
 }
 
 PAVIOR_INLINE double distance_to_curve(const Vec3& x, const CutCurve& curve) {
-    const auto to_segment = [&](const Vec3& from, const Vec3& to) {
-        const double square = (to - from).squaredNorm();
-        const double part = square > 0 ? std::clamp((x - from).dot(to - from) / square, 0.0, 1.0) : 0.0;
-        return (x - from - part * (to - from)).norm();
-    };
     const std::optional<Vec3> found = circle_centre(curve.from, curve.middle, curve.to);
     if (!found) {
-        return to_segment(curve.from, curve.to);
+        const Vec3 way = curve.to - curve.from;
+        const double part = std::clamp((x - curve.from).dot(way) / std::max(way.squaredNorm(), 1e-300), 0.0, 1.0);
+        return (x - curve.from - part * way).norm();
     }
     const Vec3& centre = *found;
     const Vec3 n = (curve.middle - curve.from).cross(curve.to - curve.from).normalized();

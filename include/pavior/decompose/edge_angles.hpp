@@ -2,6 +2,7 @@
 /// \file
 /// Angles between the faces of a solid along its edges.
 
+#include <pavior/brep/face_corners.hpp>
 #include <pavior/brep/solid_boundary.hpp>
 
 #include <Eigen/Geometry>
@@ -24,13 +25,6 @@ struct EdgeAngle {
     [[nodiscard]] bool concave() const { return least > 200; }
     [[nodiscard]] bool smooth() const { return least > 170 && most < 190; }
 };
-
-/// The unit normal of a face that leaves the solid, at parameters \p uv; not finite where the face has none.
-template <brep B>
-[[nodiscard]] Vec3 outward_normal(const B& b, const OrientedFace& f, const Vec2& uv) {
-    const auto [du, dv] = b.face_derivatives(f.face, uv);
-    return (f.outward ? 1.0 : -1.0) * du.cross(dv).normalized();
-}
 
 /// The angles at the edges of \p solid, in the order of its boundary; edges that have one face on both sides (seams)
 /// are left out. Three samples each.

@@ -68,18 +68,14 @@ template <brep B>
     const OrientedFace f = boundary.faces[edge.face].face;
     const auto range = b.edge_range(edge.use.edge);
     const Vec2 uv = b.edge_on_face(edge.use.edge, 0.5 * (range[0] + range[1]), f.face, edge.use.forward == f.outward);
-    const auto normal = [&](const Vec2& at) -> Vec3 {
-        const auto [du, dv] = b.face_derivatives(f.face, at);
-        return (f.outward ? 1.0 : -1.0) * du.cross(dv).normalized();
-    };
     const auto [du, dv] = b.face_derivatives(f.face, uv);
-    const Vec3 n = normal(uv);
+    const Vec3 n = outward_normal(b, f, uv);
     const Vec3 along = b.edge_derivative(edge.use.edge, 0.5 * (range[0] + range[1])).normalized();
     const Vec3 across = 1e-3 * b.edge_length(edge.use.edge) * n.cross(along);
     Eigen::Matrix<double, 3, 2> frame;
     frame << du, dv;
     const Vec2 step = (frame.transpose() * frame).inverse() * frame.transpose() * across;
-    return (normal(uv + step) - normal(uv - step)).dot(across) > 0;
+    return (outward_normal(b, f, uv + step) - outward_normal(b, f, uv - step)).dot(across) > 0;
 }
 
 /// The integer program: one binary variable for each way to classify an umbrella.
